@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The check record: what was found, where, how far from the limit, and the mend."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass
+
+SEVERITIES = ("error", "warning", "note")
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One check result, the same on objects, sheets, workbook, report and console.
+
+    severity: `error`, `warning` or `note`. code: short name, kebab-case. object: the member,
+    plate, axis or file concerned. position: where (arc length, row and column). value and limit
+    are in `unit` (empty when the finding is not a measurement). mend: what puts it right.
+    """
+
+    severity: str
+    code: str
+    object: str
+    position: str = ""
+    value: float | str | None = None
+    limit: float | str | None = None
+    unit: str = ""
+    message: str = ""
+    mend: str = ""
+
+    def __post_init__(self):
+        if self.severity not in SEVERITIES:
+            raise ValueError(f"severity {self.severity!r} is not one of {SEVERITIES}")
+
+    def line(self) -> str:
+        """The finding as one line for a console or a status bar."""
+        place = ", ".join(part for part in (self.object, self.position) if part)
+        text = f"{self.severity}: {place}: {self.message}"
+        figures = []
+        if self.value not in (None, ""):
+            figures.append(f"value {_figure(self.value, self.unit)}")
+        if self.limit not in (None, ""):
+            figures.append(f"limit {_figure(self.limit, self.unit)}")
+        if figures:
+            text += f" ({', '.join(figures)})"
+        if self.mend:
+            text += f" -> {self.mend}"
+        return " ".join(text.split())
+
+    def as_dict(self) -> dict:
+        """The record as plain JSON data, fields in their declared order."""
+        return asdict(self)
+
+
+def _figure(value: float | str, unit: str) -> str:
+    text = f"{value:.6g}" if isinstance(value, float) else str(value)
+    return f"{text} {unit}".rstrip()
+
+
+def error(code: str, object: str, message: str, mend: str = "", **fields) -> Finding:
+    """A finding that stops output of its object."""
+    return Finding("error", code, object, message=message, mend=mend, **fields)
+
+
+def warning(code: str, object: str, message: str, mend: str = "", **fields) -> Finding:
+    """A finding the user must weigh; output goes on."""
+    return Finding("warning", code, object, message=message, mend=mend, **fields)
+
+
+def note(code: str, object: str, message: str, mend: str = "", **fields) -> Finding:
+    """A finding for information."""
+    return Finding("note", code, object, message=message, mend=mend, **fields)
+
+
+class BendTorsionError(Exception):
+    """Input or geometry that cannot be built; carries the findings that say why.
+
+    Raised by core, shapes and exchange; caught by the objects, the command line and the GUI.
+    """
+
+    def __init__(self, findings: Finding | Iterable[Finding]):
+        self.findings = (findings,) if isinstance(findings, Finding) else tuple(findings)
+        super().__init__("\n".join(finding.line() for finding in self.findings))
+
+
+def has_error(findings: Iterable[Finding]) -> bool:
+    """True when any finding is an error."""
+    return any(finding.severity == "error" for finding in findings)

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Memoised arrows: results kept by a content hash of their inputs, never by identity."""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+from collections import OrderedDict
+from collections.abc import Callable
+from dataclasses import fields, is_dataclass
+
+import numpy as np
+
+KEPT = 4000
+"""Results kept in memory; the least recently used go first."""
+
+_results: OrderedDict[str, object] = OrderedDict()
+
+
+def content_hash(*values) -> str:
+    """Hash of plain values, arrays, dataclasses and results of memoised functions (which carry
+    the hash of what made them); the same in every process."""
+    digest = hashlib.sha256()
+    for value in values:
+        _feed(digest, value)
+    return digest.hexdigest()
+
+
+def _feed(digest, value) -> None:
+    made_from = getattr(value, "_made_from", None)
+    if made_from is not None:
+        digest.update(b"made " + made_from.encode())
+    elif isinstance(value, np.ndarray):
+        digest.update(f"array {value.shape} {value.dtype}".encode())
+        digest.update(np.ascontiguousarray(value).tobytes())
+    elif is_dataclass(value):
+        digest.update(f"{type(value).__name__}(".encode())
+        for field in fields(value):
+            digest.update(f"{field.name}=".encode())
+            _feed(digest, getattr(value, field.name))
+        digest.update(b")")
+    elif isinstance(value, (tuple, list)):
+        digest.update(f"[{len(value)}".encode())
+        for item in value:
+            _feed(digest, item)
+        digest.update(b"]")
+    elif isinstance(value, dict):
+        digest.update(f"{{{len(value)}".encode())
+        for key in sorted(value):
+            _feed(digest, key)
+            _feed(digest, value[key])
+        digest.update(b"}")
+    elif value is None or isinstance(value, (str, bytes, bool, int, float)):
+        digest.update(f"{type(value).__name__} {value!r};".encode())
+    else:
+        raise TypeError(f"no content hash for {type(value).__name__}")
+
+
+def memoised(function: Callable) -> Callable:
+    """The function with its results kept by the content of its arguments (all positional)."""
+
+    @functools.wraps(function)
+    def arrow(*arguments):
+        key = content_hash(function.__qualname__, *arguments)
+        if key in _results:
+            _results.move_to_end(key)
+            return _results[key]
+        result = function(*arguments)
+        object.__setattr__(result, "_made_from", key)
+        remember(result)
+        return result
+
+    return arrow
+
+
+def remember(result) -> None:
+    """Keep a result made elsewhere (a worker process) under the hash it carries."""
+    _results[result._made_from] = result
+    while len(_results) > KEPT:
+        _results.popitem(last=False)
+
+
+def forget_all() -> None:
+    """Empty the memo."""
+    _results.clear()

@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Smooth-by-pieces functions of arc length, held by their values at Chebyshev points of each span.
+
+Axis, frames, rails and flat patterns are all such functions, so that each can be evaluated,
+differentiated and integrated to rounding (Trefethen, Approximation Theory and Practice, 2013).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from .tolerances import INTERPOLATION_RELATIVE
+
+DEGREE = 13
+_NODES = -np.cos(np.pi * np.arange(DEGREE + 1) / DEGREE)
+_WEIGHTS = np.where(np.arange(DEGREE + 1) % 2, -1.0, 1.0)
+_WEIGHTS[[0, -1]] *= 0.5
+
+
+def _differentiation_matrix() -> np.ndarray:
+    """Derivative at the nodes from values at the nodes, on [-1, 1] (Berrut & Trefethen 2004)."""
+    difference = _NODES[:, None] - _NODES[None, :]
+    np.fill_diagonal(difference, 1.0)
+    matrix = (_WEIGHTS[None, :] / _WEIGHTS[:, None]) / difference
+    np.fill_diagonal(matrix, 0.0)
+    np.fill_diagonal(matrix, -matrix.sum(axis=1))
+    return matrix
+
+
+def _integration_matrix() -> np.ndarray:
+    """Integral from -1 to each node, from values at the nodes, exact for the interpolant."""
+    chebyshev = np.polynomial.chebyshev
+    coefficients = np.linalg.inv(chebyshev.chebvander(_NODES, DEGREE))
+    integrals = chebyshev.chebint(coefficients, lbnd=-1, axis=0)
+    return chebyshev.chebvander(_NODES, DEGREE + 1) @ integrals
+
+
+_DIFFERENTIATE = _differentiation_matrix()
+_INTEGRATE = _integration_matrix()
+
+
+def _basis(x: np.ndarray) -> np.ndarray:
+    """Barycentric Lagrange basis (m, DEGREE + 1) at x (m,) in [-1, 1]."""
+    difference = x[:, None] - _NODES[None, :]
+    hit = difference == 0.0
+    difference[hit] = 1.0
+    basis = _WEIGHTS / difference
+    basis /= basis.sum(axis=1, keepdims=True)
+    at_node = hit.any(axis=1)
+    basis[at_node] = hit[at_node]
+    return basis
+
+
+@dataclass(frozen=True, eq=False)
+class Piecewise:
+    """A function of s on spans between breaks (m + 1,): values (m, DEGREE + 1, d) at the nodes.
+
+    At an inner break the value is the later span's, unless `side` asks for the earlier one's.
+    """
+
+    breaks: np.ndarray
+    values: np.ndarray
+
+    @property
+    def start(self) -> float:
+        return float(self.breaks[0])
+
+    @property
+    def end(self) -> float:
+        return float(self.breaks[-1])
+
+    @cached_property
+    def nodes(self) -> np.ndarray:
+        """The Chebyshev points of all spans, (m, DEGREE + 1)."""
+        return span_nodes(self.breaks)
+
+    @cached_property
+    def derivative(self) -> Piecewise:
+        """d/ds."""
+        scale = 2.0 / np.diff(self.breaks)
+        values = np.einsum("ij,mjd->mid", _DIFFERENTIATE, self.values) * scale[:, None, None]
+        return Piecewise(self.breaks, values)
+
+    def antiderivative(self, initial: np.ndarray | float = 0.0) -> Piecewise:
+        """The integral from the start, plus `initial`."""
+        half = 0.5 * np.diff(self.breaks)
+        values = np.einsum("ij,mjd->mid", _INTEGRATE, self.values) * half[:, None, None]
+        steps = np.cumsum(values[:, -1, :], axis=0)
+        values[1:] += steps[:-1, None, :]
+        return Piecewise(self.breaks, values + initial)
+
+    def integral(self) -> np.ndarray:
+        """The integral over the whole range, (d,)."""
+        half = 0.5 * np.diff(self.breaks)
+        return np.einsum("j,mjd,m->d", _INTEGRATE[-1], self.values, half)
+
+    def __call__(self, s: np.ndarray, side: str = "later") -> np.ndarray:
+        """Values (m, d) at s (m,), extrapolated from the end spans outside the range."""
+        s = np.atleast_1d(np.asarray(s, float))
+        where = np.searchsorted(self.breaks, s, side="right" if side == "later" else "left") - 1
+        where = np.clip(where, 0, len(self.breaks) - 2)
+        low, high = self.breaks[where], self.breaks[where + 1]
+        basis = _basis((2.0 * s - low - high) / (high - low))
+        return np.einsum("nj,njd->nd", basis, self.values[where])
+
+
+def span_nodes(breaks: np.ndarray) -> np.ndarray:
+    """Chebyshev points (m, DEGREE + 1) of the spans between breaks (m + 1,)."""
+    breaks = np.asarray(breaks, float)
+    half = 0.5 * np.diff(breaks)
+    middle = 0.5 * (breaks[1:] + breaks[:-1])
+    nodes = middle[:, None] + half[:, None] * _NODES
+    nodes[:, 0], nodes[:, -1] = breaks[:-1], breaks[1:]
+    return nodes
+
+
+def sample(function: Callable[[np.ndarray], np.ndarray], breaks: np.ndarray) -> Piecewise:
+    """`function` (s (n,) -> (n, d), smooth on each span) on the given spans, not refined."""
+    nodes = span_nodes(breaks)
+    return Piecewise(np.asarray(breaks, float), function(nodes.ravel()).reshape(*nodes.shape, -1))
+
+
+def resolve(
+    function: Callable[[np.ndarray], np.ndarray],
+    breaks: np.ndarray,
+    size: float,
+    deepest: int = 12,
+) -> Piecewise:
+    """`function` on spans halved until its last Chebyshev coefficients are rounding noise.
+
+    size: magnitude against which INTERPOLATION_RELATIVE counts. `deepest` halvings at most, so
+    that a kink inside a span ends in a span too short to matter.
+    """
+    breaks = np.asarray(breaks, float)
+    to_coefficients = np.linalg.inv(np.polynomial.chebyshev.chebvander(_NODES, DEGREE))
+    done: list[tuple[float, float, np.ndarray]] = []
+    pending = breaks
+    spans = np.column_stack([pending[:-1], pending[1:]])
+    for depth in range(deepest + 1):
+        half, middle = 0.5 * (spans[:, 1] - spans[:, 0]), 0.5 * spans.sum(axis=1)
+        nodes = middle[:, None] + half[:, None] * _NODES
+        nodes[:, 0], nodes[:, -1] = spans[:, 0], spans[:, 1]
+        values = function(nodes.ravel()).reshape(*nodes.shape, -1)
+        tail = np.abs(np.einsum("ij,mjd->mid", to_coefficients[-2:], values)).max(axis=(1, 2))
+        good = (tail <= 20 * INTERPOLATION_RELATIVE * size) | (depth == deepest)
+        done += [(a, b, v) for (a, b), v in zip(spans[good], values[good], strict=True)]
+        rest = spans[~good]
+        if not len(rest):
+            break
+        middle = 0.5 * rest.sum(axis=1)
+        spans = np.concatenate(
+            [np.column_stack([rest[:, 0], middle]), np.column_stack([middle, rest[:, 1]])]
+        )
+    done.sort(key=lambda item: item[0])
+    all_breaks = np.array([item[0] for item in done] + [done[-1][1]])
+    return Piecewise(all_breaks, np.stack([item[2] for item in done]))
+
+
+def merged_breaks(*groups: np.ndarray, start: float, end: float, least: float) -> np.ndarray:
+    """Sorted breaks from several groups between start and end, none closer than `least`."""
+    inner = np.concatenate([np.ravel(group) for group in groups]) if groups else np.empty(0)
+    inner = np.sort(inner[(inner > start + least) & (inner < end - least)])
+    if len(inner):
+        inner = inner[np.concatenate([[True], np.diff(inner) > least])]
+    return np.concatenate([[start], inner, [end]])

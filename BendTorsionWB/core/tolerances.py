@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tolerances of the product, each with its one meaning; mm unless said otherwise."""
+
+AXIS_ON_SURFACE = 0.005
+"""A pulled axis leaves its surface by no more than this at the checked points."""
+
+POINT_MOVED_WARNING = 1.0
+"""A given point pulled farther than this onto the surface is worth a warning."""
+
+POINTS_COINCIDE = 1e-3
+"""Two given points closer than this are one point."""
+
+MERGE_FRACTION_OF_MEAN_GAP = 0.15
+"""Inner points closer than this fraction of the mean gap are merged before the fit."""
+
+INTERPOLATION_RELATIVE = 1e-13
+"""Piecewise interpolants reproduce their function to this fraction of its size."""
+
+SAME_STATION = 1e-6
+"""Arc lengths closer than this are the same place on the axis."""
+
+STATION_AT_PLATE_END = 1.0
+"""A station line closer than this to a plate's end line is the end line."""
+
+STATION_AT_FOLD = 10.0
+"""A station line closer than this to a fold is the fold line."""
+
+FACES_FLUSH = 1e-6
+"""Faces of two segments that differ by less than this are flush: no transition, no fold."""
+
+SKIN_CORNER = 0.01
+"""Corners of a skin between its stations; stations are doubled until they agree to this."""
+
+VOLUME_RELATIVE = 1e-6
+"""Largest relative difference between a solid's volume and the section integral."""
+
+SHORTEST_PLATE = 10.0
+"""Joints that would leave a plate, or the part of one before a fold, shorter than this are an
+error."""
+
+SEAM_LENGTH = 1e-6
+"""Edges of a flat pattern in `edges` mode keep their length to this."""
+
+WITNESS_INSET = 50.0
+"""Distance of witness points from the plate's edge, on the marking face."""
+
+SOLIDS_OVERLAP_VOLUME = 1e-3
+"""mm3: two members whose solids share more than this intersect."""
+
+LOCKED_IN_TWIST_WIDTH = 0.037
+"""Twist rate times width (rad) above which `edges` locks in stress worth a warning."""

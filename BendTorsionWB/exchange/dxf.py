@@ -1,0 +1,356 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Flat patterns as DXF files for cutting and marking: one plate per file, 1:1, mm, no splines."""
+
+from __future__ import annotations
+
+import io
+import math
+import os
+from collections.abc import Mapping
+
+import ezdxf
+import numpy as np
+from ezdxf.document import Drawing
+from ezdxf.lldxf.validator import is_valid_layer_name
+
+from ..core.arc_fit import FIT_TOLERANCE, fit_outline
+from ..core.finding import BendTorsionError, error
+from ..core.lofting import DevelopedPlate, FoldLine
+from .whole_file import write_whole
+
+CUT_OUTER = "CUT_OUTER"
+CUT_INNER = "CUT_INNER"
+MARK_LINE = "MARK_LINE"
+MARK_ROLL = "MARK_ROLL"
+MARK_FOLD = "MARK_FOLD"
+MARK_TEXT = "MARK_TEXT"
+PUNCH = "PUNCH"
+REF = "REF"
+
+# layer: AutoCAD colour index, line type, what is on it
+_LAYERS = {
+    CUT_OUTER: (7, "Continuous", "outer contour, one closed polyline, counter-clockwise"),
+    CUT_INNER: (1, "Continuous", "inner contours, closed polylines"),
+    MARK_LINE: (3, "Continuous", "measuring lines at member stations"),
+    MARK_ROLL: (4, "Continuous", "rolling lines"),
+    MARK_FOLD: (6, "DASHED", "fold lines with their angles"),
+    MARK_TEXT: (2, "Continuous", "marks, labels, direction of the member"),
+    PUNCH: (5, "Continuous", "witness points to punch"),
+    REF: (8, "Continuous", "for information: points on the contour"),
+}
+
+LAYERS = {name: name for name in _LAYERS}
+"""Layer names as written, by contract name; pass a changed copy to `write_plate_dxf`."""
+
+MARK_GAP = 5.0
+"""mm; mark lines stop this far before the contour."""
+
+TEXT_HEIGHT = 25.0
+"""mm; height of marking text where the plate leaves room for it."""
+
+_SMALLEST_TEXT = 2.5  # mm; below this no plotter marks legibly
+_CHARACTER_WIDTH = 1.0  # width over height of a letter, on the safe side
+_LINE_PITCH = 1.6  # distance of text lines over their height
+_SAME_PLACE = 0.01  # mm; lines and points closer than this are one
+_DECIMALS = 6  # of coordinates, mm
+_DASHED = [18.0, 12.0, -6.0]  # mm: pattern length, dash, gap
+
+
+def write_plate_dxf(
+    plate: DevelopedPlate,
+    path: str | os.PathLike,
+    layers: Mapping[str, str] = LAYERS,
+    tolerance: float = FIT_TOLERANCE,
+) -> None:
+    """Write the flat pattern of `plate` to `path`: DXF R2010, 1:1, mm, pattern frame.
+
+    layers: written name of each layer of `LAYERS`. tolerance: mm, largest distance of the
+    contour from the pattern. The same plate gives the same bytes. Raises BendTorsionError when
+    the outline does not close or runs clockwise, a layer name is not possible, or the file cannot
+    be written; nothing is left at `path` then but what was there before.
+    """
+    write_whole(path, plate_dxf(plate, layers, tolerance))
+
+
+def plate_dxf(
+    plate: DevelopedPlate,
+    layers: Mapping[str, str] = LAYERS,
+    tolerance: float = FIT_TOLERANCE,
+) -> bytes:
+    """The DXF file of `write_plate_dxf` as bytes."""
+    names = _layer_names(layers)
+    outline = fit_outline(plate.outline, tolerance, plate.mark)
+    document = _new_document(names, outline[:, :2])
+    space = document.modelspace()
+    # Rounding to 1e-6 mm keeps last-bit differences between machines out of the file.
+    space.add_lwpolyline(
+        [(_figure(x), _figure(y), round(float(b), 12) + 0.0) for x, y, b in outline],
+        format="xyb",
+        close=True,
+        dxfattribs={"layer": names[CUT_OUTER]},
+    )
+    panels = _panels(plate)
+    height = _text_height(plate, panels)
+    _add_lines(space, plate, names, height)
+    _add_points(space, plate, names)
+    if panels:
+        _add_marks(space, plate, panels, names, height)
+    return _bytes(document)
+
+
+def _layer_names(layers: Mapping[str, str]) -> dict[str, str]:
+    names = {**LAYERS, **layers}
+    for key, name in names.items():
+        if key not in LAYERS:
+            problem, mend = f"layer {key!r} is not written", f"use one of {', '.join(LAYERS)}"
+        elif not name or not is_valid_layer_name(name):
+            problem = f"{name!r} cannot be a layer name"
+            mend = 'use none of < > / \\ " : ; ? * | = `'
+        else:
+            continue
+        raise BendTorsionError(error("dxf-layer", key, problem, mend, value=str(name)))
+    if len({name.lower() for name in names.values()}) < len(names):
+        raise BendTorsionError(
+            error("dxf-layer", "layers", "two layers have one name", "name each layer differently")
+        )
+    return names
+
+
+def _new_document(names: Mapping[str, str], corners: np.ndarray) -> Drawing:
+    document = ezdxf.new("R2010")
+    header = document.header
+    header["$INSUNITS"] = 4
+    header["$MEASUREMENT"] = 1
+    header["$LUNITS"] = 2
+    header["$PDMODE"] = 2
+    header["$PDSIZE"] = 10.0
+    document.linetypes.add("DASHED", pattern=_DASHED, description="Dashed __ __ __ __")
+    for key, (colour, linetype, description) in _LAYERS.items():
+        layer = document.layers.add(names[key], color=colour, linetype=linetype)
+        layer.description = description
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    space = document.modelspace()
+    space.dxf.extmin = (_figure(low[0]), _figure(low[1]), 0.0)
+    space.dxf.extmax = (_figure(high[0]), _figure(high[1]), 0.0)
+    space.dxf.limmin, space.dxf.limmax = _place(low), _place(high)
+    document.set_modelspace_vport(
+        1.1 * max(float(high[1] - low[1]), float(high[0] - low[0]) / 2.0, 1.0),
+        tuple(_figure(value) for value in (low + high) / 2.0),
+    )
+    return document
+
+
+def _bytes(document: Drawing) -> bytes:
+    """The document's text without time stamps and unique identifiers."""
+    document.ezdxf_metadata()["CREATED_BY_EZDXF"] = ezdxf.__version__
+    stream = io.StringIO()
+    before = ezdxf.options.write_fixed_meta_data_for_testing
+    ezdxf.options.write_fixed_meta_data_for_testing = True
+    try:
+        document.write(stream)
+    finally:
+        ezdxf.options.write_fixed_meta_data_for_testing = before
+    return document.encode(stream.getvalue())
+
+
+def _add_lines(space, plate: DevelopedPlate, names: Mapping[str, str], height: float) -> None:
+    ends = [line for line in plate.lines if line.label.startswith("E-")]
+    stations = [line for line in plate.lines if not line.label.startswith("E-")]
+    # In the order of precedence: what lies on the contour or on a fold is not drawn again.
+    marks = [*ends, *plate.folds, *stations]
+    flats = np.array([mark.flat for mark in marks]).reshape(-1, 2, 2)
+    fresh = _first_of_their_place(flats.reshape(-1, 4))
+    centre = _centre(plate)
+    for mark, is_fresh in zip(marks[len(ends) :], fresh[len(ends) :]):
+        if not is_fresh:
+            continue
+        is_fold = isinstance(mark, FoldLine)
+        attributes = {"layer": names[MARK_FOLD if is_fold else MARK_LINE]}
+        a, b = _shortened(mark.flat)
+        space.add_line(_place(a), _place(b), dxfattribs=attributes)
+        if is_fold:
+            way = "convex" if mark.angle >= 0.0 else "concave"
+            text = f"{mark.label} {abs(math.degrees(mark.angle)):.1f} deg outside {way}"
+            middle = 0.5 * (mark.flat[0] + mark.flat[1])
+            _add_line_text(space, text, middle, mark.flat[1], centre, height, attributes)
+
+
+def _add_points(space, plate: DevelopedPlate, names: Mapping[str, str]) -> None:
+    for kind, layer in (("witness", PUNCH), ("arris", REF)):
+        points = [point.flat for point in plate.points if point.kind == kind]
+        flats = np.array(points).reshape(-1, 2)
+        for flat in flats[_first_of_their_place(flats)]:
+            space.add_point(_place(flat), dxfattribs={"layer": names[layer]})
+
+
+def _add_marks(
+    space,
+    plate: DevelopedPlate,
+    panels: list[tuple[np.ndarray, np.ndarray]],
+    names: Mapping[str, str],
+    height: float,
+) -> None:
+    """The plate's identity and direction in its longest panel, and the labels of its lines."""
+    attributes = {"layer": names[MARK_TEXT]}
+    panel = _text_panel(panels)
+    foot, head = panel[0].mean(axis=0), panel[1].mean(axis=0)
+    forward = (head - foot) / np.hypot(*(head - foot))
+    middle = 0.5 * (foot + head)
+    rows = _identity(plate)
+    reads_along = _text_fit(panel, rows)[1]
+    # Text reads from left to right or upwards in the pattern; the arrow alone tells where +s is.
+    reading = forward if reads_along else np.array([-forward[1], forward[0]])
+    if reading[0 if reads_along else 1] < 0.0:
+        reading = -reading
+    up = np.array([-reading[1], reading[0]])
+    pitch = _LINE_PITCH * height
+    half = 0.5 * max(map(len, rows)) * _CHARACTER_WIDTH * height
+    for row, text in enumerate(rows):
+        rise = (0.5 * len(rows) - row) * pitch
+        corner = middle + rise * up - half * reading - 0.5 * height * up
+        _add_text(space, text, corner, reading, height, attributes)
+    # The arrow takes the row below the text, and its name stands after it.
+    level = middle - 0.5 * len(rows) * pitch * up
+    reach = 2.0 * height if reads_along else 0.6 * height
+    tip = level + reach * forward
+    barb = (0.8 if reads_along else 0.4) * height * forward
+    side = 0.4 * height * np.array([-forward[1], forward[0]])
+    for a, b in (
+        (level - reach * forward, tip),
+        (tip, tip - barb + side),
+        (tip, tip - barb - side),
+    ):
+        space.add_line(_place(a), _place(b), dxfattribs=attributes)
+    corner = level + (2.6 if reads_along else 0.8) * height * reading - 0.5 * height * up
+    _add_text(space, "+s", corner, reading, height, attributes)
+    folds = {fold.label for fold in plate.folds}  # these carry their own text
+    centre = _centre(plate)
+    for line in plate.lines:
+        if line.label.startswith("E-") or line.label in folds:
+            continue
+        first, second = line.flat
+        fifth = first + 0.2 * (second - first)
+        _add_line_text(space, line.label, fifth, second, centre, height, attributes)
+
+
+def _identity(plate: DevelopedPlate) -> tuple[str, ...]:
+    up = plate.marking_face.upper()
+    down = "OUTSIDE" if up == "INSIDE" else "INSIDE"
+    return (
+        plate.mark,
+        f"{plate.member} {plate.face} {plate.piece}",
+        f"t{plate.thickness:g} {plate.material}",
+        f"marking face {up}",
+        f"{down} below",
+    )
+
+
+def _panels(plate: DevelopedPlate) -> list[tuple[np.ndarray, np.ndarray]]:
+    """The fields between consecutive lines and folds along +s, as pairs of (2, 2) lines."""
+    marks = sorted((*plate.lines, *plate.folds), key=lambda mark: mark.s)
+    fields = []
+    for a, b in zip(marks[:-1], marks[1:]):
+        if np.hypot(*(b.flat.mean(axis=0) - a.flat.mean(axis=0))) > _SAME_PLACE:
+            fields.append((a.flat, b.flat))
+    return fields
+
+
+def _centre(plate: DevelopedPlate) -> np.ndarray:
+    """A point amid the pattern: the middle of its line or fold nearest to half way along +s."""
+    half = 0.5 * (plate.s_start + plate.s_end)
+    middle = min((*plate.lines, *plate.folds), key=lambda mark: abs(mark.s - half), default=None)
+    return np.zeros(2) if middle is None else middle.flat.mean(axis=0)
+
+
+def _field_size(panel: tuple[np.ndarray, np.ndarray]) -> tuple[float, float]:
+    """Length along the member and smaller width of a field, mm."""
+    a, b = panel
+    length = np.hypot(*(b.mean(axis=0) - a.mean(axis=0)))
+    return float(length), float(min(np.hypot(*(a[1] - a[0])), np.hypot(*(b[1] - b[0]))))
+
+
+def _text_panel(panels: list[tuple[np.ndarray, np.ndarray]]) -> tuple[np.ndarray, np.ndarray]:
+    lengths = [_field_size(panel)[0] for panel in panels]
+    # The first of the long ones: equal lengths may differ in their last bits.
+    return panels[next(i for i, length in enumerate(lengths) if length >= max(lengths) - 1.0)]
+
+
+def _text_height(plate: DevelopedPlate, panels: list[tuple[np.ndarray, np.ndarray]]) -> float:
+    """Height at which the identity fits into its field, mm."""
+    if not panels:
+        return _SMALLEST_TEXT
+    fitting, _ = _text_fit(_text_panel(panels), _identity(plate))
+    return round(max(_SMALLEST_TEXT, fitting), 1)
+
+
+def _text_fit(
+    panel: tuple[np.ndarray, np.ndarray], rows: tuple[str, ...]
+) -> tuple[float, bool]:
+    """Height, mm, at which rows and arrow fit into the field, and whether they read along +s."""
+    length, width = _field_size(panel)
+    text_length = max(8, *map(len, rows)) * _CHARACTER_WIDTH
+    text_depth = (len(rows) + 1) * _LINE_PITCH
+    along = min(TEXT_HEIGHT, 0.8 * length / text_length, 0.6 * width / text_depth)
+    across = min(TEXT_HEIGHT, 0.6 * width / text_length, 0.8 * length / text_depth)
+    # Across the plate only where that makes the text much larger: short plates.
+    return (along, True) if along >= 0.6 * across else (across, False)
+
+
+def _first_of_their_place(rows: np.ndarray) -> np.ndarray:
+    """(n,) whether no earlier row of (n, d) coordinates is the same place."""
+    apart = np.abs(rows[:, None] - rows[None]).max(axis=2, initial=0.0)
+    return ~np.tril(apart <= _SAME_PLACE, -1).any(axis=1)
+
+
+def _shortened(flat: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The line without its gaps before the contour."""
+    across = flat[1] - flat[0]
+    length = np.hypot(*across)
+    gap = min(MARK_GAP, 0.25 * length) * across / length
+    return flat[0] + gap, flat[1] - gap
+
+
+def _add_line_text(
+    space,
+    text: str,
+    start: np.ndarray,
+    end: np.ndarray,
+    centre: np.ndarray,
+    height: float,
+    attributes: dict,
+) -> None:
+    """Text along a line from `start` towards `end`, beside it on the side of the plate's centre."""
+    across = end - start
+    length = np.hypot(*across)
+    fitting = 0.8 * length / (len(text) * _CHARACTER_WIDTH)
+    height = round(max(_SMALLEST_TEXT, min(height, fitting)), 1)
+    along = across / length
+    reading = along if along[1] > 0.0 or (along[1] == 0.0 and along[0] > 0.0) else -along
+    corner = start if reading is along else start + len(text) * _CHARACTER_WIDTH * height * along
+    left = np.array([-reading[1], reading[0]])
+    beside = 0.4 if (centre - start) @ left > -_SAME_PLACE else -1.4
+    _add_text(space, text, corner + beside * height * left, reading, height, attributes)
+
+
+def _add_text(
+    space, text: str, corner: np.ndarray, reading: np.ndarray, height: float, attributes: dict
+) -> None:
+    printable = "".join(character if character.isprintable() else " " for character in text)
+    space.add_text(
+        printable,
+        dxfattribs={
+            **attributes,
+            "height": height,
+            "rotation": round(math.degrees(math.atan2(reading[1], reading[0])), _DECIMALS) + 0.0,
+            "insert": _place(corner),
+        },
+    )
+
+
+def _place(flat: np.ndarray) -> tuple[float, float]:
+    return _figure(flat[0]), _figure(flat[1])
+
+
+def _figure(value: float) -> float:
+    """A coordinate as written; adding zero turns -0.0 into 0.0."""
+    return round(float(value), _DECIMALS) + 0.0

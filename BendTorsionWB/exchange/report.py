@@ -1,0 +1,278 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The figures of a build: report.json for programs, a table against the limits for people."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+from collections.abc import Iterable, Sequence
+
+from ..core.finding import Finding, has_error
+from ..core.lofting import DevelopedPlate, MemberRecord
+from .whole_file import write_whole
+
+AXIS_RMS_LIMIT = 0.003
+"""mm; axis to surface, root mean square, points exact on the surface."""
+
+TORSION_ERROR_LIMIT = 0.001
+"""degrees; largest angle between the built z axis and the wanted one."""
+
+LENGTH_ERROR_LIMIT = 0.012
+"""mm; worst flat length error of a plate in a constant zone."""
+
+LENGTH_ERROR_LIMIT_TRANSITION = 0.02
+"""mm; worst flat length error of a plate with folds."""
+
+BOUND_FACTOR_LIMIT = 2.5
+"""Worst length error over its proven lower bound."""
+
+LENGTH_ERROR_FLOOR = 1e-6
+"""mm; a length error below this passes whatever its bound."""
+
+
+def dxf_name(mark: str) -> str:
+    """Path of a plate's DXF file in the output folder."""
+    return f"plates/{mark}.dxf"
+
+
+def sheet_name(member: str) -> str:
+    """Path of a member's sheets in the output folder."""
+    return f"sheets/{member}.pdf"
+
+
+def all_findings(
+    records: Sequence[MemberRecord], findings: Iterable[Finding] = ()
+) -> list[Finding]:
+    """The given findings and those of the members' records after them, each once."""
+    collected = list(findings)
+    for record in records:
+        collected.extend(record.findings)
+    return list(dict.fromkeys(collected))
+
+
+def findings_of(record: MemberRecord, findings: Iterable[Finding]) -> list[Finding]:
+    """Those of `findings` that concern a member: its own, and those naming it or its plates."""
+    own = set(record.findings)
+    names = {record.member, *(plate.mark for plate in record.plates)}
+    return [finding for finding in findings if finding in own or finding.object in names]
+
+
+def report_json(
+    records: Sequence[MemberRecord], findings: Iterable[Finding], version: str
+) -> dict:
+    """The content of report.json as plain JSON data; angles in degrees, missing figures None.
+
+    `findings` are those of the build; the records' own are added. Members in the given order.
+    """
+    return {
+        "version": version,
+        "members": [_member(record) for record in records],
+        "findings": [_plain(finding.as_dict()) for finding in all_findings(records, findings)],
+    }
+
+
+def write_report(
+    records: Sequence[MemberRecord],
+    findings: Iterable[Finding],
+    version: str,
+    path: str | os.PathLike,
+) -> None:
+    """Write report.json: strict JSON, UTF-8. Raises BendTorsionError when it cannot be written."""
+    text = json.dumps(
+        report_json(records, findings, version), indent=1, ensure_ascii=False, allow_nan=False
+    )
+    write_whole(path, (text + "\n").encode("utf-8", "replace"))
+
+
+def _member(record: MemberRecord) -> dict:
+    return {
+        "member": record.member,
+        "length_mm": _number(record.length),
+        "mass_kg": _number(record.mass),
+        "axis_to_surface_rms_mm": _number(record.axis_to_surface_rms),
+        "axis_to_surface_max_mm": _number(record.axis_to_surface_max),
+        "torsion_error_max_deg": degrees(record.torsion_error_max),
+        "total_torsion_deg": degrees(record.total_torsion),
+        "plates": [_plate(plate) for plate in record.plates],
+    }
+
+
+def _plate(plate: DevelopedPlate) -> dict:
+    return {
+        "mark": plate.mark,
+        "part": plate.part,
+        "face": plate.face,
+        "piece": int(plate.piece),
+        "thickness_mm": _number(plate.thickness),
+        "area_mm2": _number(plate.area),
+        "mass_kg": _number(plate.mass),
+        "length_mm": _number(plate.length),
+        "width_mm": _number(plate.width),
+        "length_error_max_mm": _number(plate.length_error_max),
+        "length_error_rms_mm": _number(plate.length_error_rms),
+        "length_error_bound_mm": _number(plate.length_error_bound),
+        "strain_max": _number(plate.strain_max),
+        "forming": plate.forming,
+        "dxf": dxf_name(plate.mark),
+        "nc1": None,
+    }
+
+
+def degrees(angle: float | None) -> float | None:
+    """An angle in radians as degrees; None stays None, and what is not finite becomes None."""
+    return None if angle is None else _number(math.degrees(angle))
+
+
+def _number(value: float | None) -> float | None:
+    if value is None or not math.isfinite(value):
+        return None
+    return float(value)
+
+
+def _plain(record: dict) -> dict:
+    """A check record with numbers that JSON can hold."""
+    return {
+        key: value if value is None or isinstance(value, str) else _number(value)
+        for key, value in record.items()
+    }
+
+
+def largest(values: Iterable[float]) -> float | None:
+    """The largest value; NaN when any is NaN, so that no failed figure hides; None of nothing."""
+    return max(values, key=lambda value: (math.isnan(value), value), default=None)
+
+
+def worst_length_error(plates: Iterable[DevelopedPlate], folded: bool) -> float | None:
+    """Largest length error among the plates with (`folded`) or without folds; mm."""
+    return largest(plate.length_error_max for plate in plates if plate.in_transition == folded)
+
+
+def worst_bound_factor(plates: Iterable[DevelopedPlate]) -> float | None:
+    """Largest length error over its bound, of the plates whose error is above the floor."""
+    factors = [
+        plate.length_error_max / plate.length_error_bound
+        if plate.length_error_bound > 0.0
+        else math.inf
+        for plate in plates
+        if not plate.length_error_max <= LENGTH_ERROR_FLOOR
+    ]
+    return largest(factors)
+
+
+def within_limits(record: MemberRecord) -> bool:
+    """Whether a member is free of errors and all its figures are within the limits."""
+    return (
+        bool(record.plates)
+        and not has_error(record.findings)
+        and all(_passes(value, limit) for value, limit in _measured(record))
+    )
+
+
+def _measured(record: MemberRecord) -> tuple[tuple[float | None, float], ...]:
+    return (
+        (record.axis_to_surface_rms, AXIS_RMS_LIMIT),
+        (degrees(record.torsion_error_max), TORSION_ERROR_LIMIT),
+        (worst_length_error(record.plates, False), LENGTH_ERROR_LIMIT),
+        (worst_length_error(record.plates, True), LENGTH_ERROR_LIMIT_TRANSITION),
+        (worst_bound_factor(record.plates), BOUND_FACTOR_LIMIT),
+    )
+
+
+def _passes(value: float | None, limit: float) -> bool:
+    return value is None or value <= limit
+
+
+_HEADINGS = (
+    ("member", 10, "<"),
+    ("sections", 25, "<"),
+    ("plates", 6, ">"),
+    ("length m", 8, ">"),
+    ("mass kg", 9, ">"),
+    ("axis rms", 9, ">"),
+    ("torsion °", 9, ">"),
+    ("flat", 9, ">"),
+    ("flat fold", 9, ">"),
+    ("x bound", 7, ">"),
+    ("result", 6, "<"),
+)
+
+
+def summary_lines(records: Sequence[MemberRecord], findings: Iterable[Finding]) -> list[str]:
+    """A console table: a row per member, then the totals, the limits and the counted findings.
+
+    Columns: axis rms (mm), largest torsion error (degrees), worst flat length error of plates
+    without and with folds (mm), and the worst error over its proven bound. A figure beyond its
+    limit carries an exclamation mark.
+    """
+    known = all_findings(records, findings)
+    lines = [_table_row([name for name, _, _ in _HEADINGS])]
+    lines.append("-" * len(lines[0]))
+    good = 0
+    for record in records:
+        passed = within_limits(record) and not has_error(findings_of(record, known))
+        good += passed
+        lines.append(_table_row([*_facts(record), *_marked(record), "ok" if passed else "FAIL"]))
+    lines.append("-" * len(lines[0]))
+    plates = [plate for record in records for plate in record.plates]
+    length = sum(record.length or 0.0 for record in records) / 1000.0
+    mass = sum(record.mass or 0.0 for record in records)
+    worst = []
+    for column, digits in zip(zip(*(_measured(record) for record in records)), _DIGITS):
+        value = largest(value for value, _ in column if value is not None)
+        worst.append(_figure(value, column[0][1], digits))
+    verdict = "ok" if records and good == len(records) else "FAIL"
+    total = [f"{len(records)} in all", "", str(len(plates)), f"{length:.3f}", f"{mass:.1f}"]
+    lines.append(_table_row([*total, *(worst or [""] * len(_DIGITS)), verdict]))
+    limits = [
+        f"{limit:.{digits}f}"
+        for limit, digits in zip(
+            (
+                AXIS_RMS_LIMIT,
+                TORSION_ERROR_LIMIT,
+                LENGTH_ERROR_LIMIT,
+                LENGTH_ERROR_LIMIT_TRANSITION,
+                BOUND_FACTOR_LIMIT,
+            ),
+            _DIGITS,
+        )
+    ]
+    lines.append(_table_row(["limits", "", "", "", "", *limits, ""]))
+    counts = [
+        f"{sum(finding.severity == severity for finding in known)} {severity}s"
+        for severity in ("error", "warning", "note")
+    ]
+    lines.append(f"{good} of {len(records)} members within the limits; {', '.join(counts)}")
+    return lines
+
+
+_DIGITS = (5, 6, 5, 5, 2)  # shown, of the figures of `_measured`
+
+
+def _facts(record: MemberRecord) -> list[str]:
+    return [
+        record.member,
+        record.sections,
+        str(len(record.plates)),
+        "" if record.length is None else f"{record.length / 1000.0:.3f}",
+        "" if record.mass is None else f"{record.mass:.1f}",
+    ]
+
+
+def _marked(record: MemberRecord) -> list[str]:
+    return [
+        _figure(value, limit, digits)
+        for (value, limit), digits in zip(_measured(record), _DIGITS)
+    ]
+
+
+def _figure(value: float | None, limit: float, digits: int) -> str:
+    if value is None:
+        return ""
+    return f"{value:.{digits}f}" + ("" if _passes(value, limit) else "!")
+
+
+def _table_row(cells: Sequence[str]) -> str:
+    return "  ".join(
+        f"{cell:{side}{width}}" for cell, (_, width, side) in zip(cells, _HEADINGS)
+    ).rstrip()

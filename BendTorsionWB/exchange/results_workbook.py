@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""results.xlsx: the lofting data of a build as tables."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+
+from ..core.finding import SEVERITIES, Finding
+from ..core.lofting import DevelopedPlate, MemberRecord
+from .report import all_findings, degrees, dxf_name, findings_of, largest, sheet_name
+from .whole_file import write_whole
+from .xlsx_file import FINE, STRAIN, TENTH, TEXT, WHOLE, Column, Table, xlsx_bytes
+
+SUMMARY = (
+    Column("member", TEXT, 14),
+    Column("sections", TEXT, 28),
+    Column("type", TEXT, 8),
+    Column("length", TENTH, 11),
+    Column("mass", TENTH, 11),
+    Column("plates", WHOLE, 8),
+    Column("axis_to_surface_rms", FINE, 20),
+    Column("axis_to_surface_max", FINE, 20),
+    Column("torsion_error_max", STRAIN, 18),
+    Column("total_torsion", TENTH, 14),
+    Column("length_error_max", FINE, 18),
+    Column("errors", WHOLE, 8),
+    Column("warnings", WHOLE, 10),
+    Column("notes", WHOLE, 8),
+)
+
+PLATES = (
+    Column("member", TEXT, 10),
+    Column("plate", TEXT, 12),
+    Column("part", TEXT, 12),
+    Column("face", TEXT, 8),
+    Column("piece", WHOLE, 7),
+    Column("thickness", TENTH, 10),
+    Column("length", TENTH, 10),
+    Column("width", TENTH, 10),
+    Column("net_area", TENTH, 13),
+    Column("net_mass", TENTH, 10),
+    Column("material", TEXT, 10),
+    Column("length_error_max", FINE, 17),
+    Column("strain_max", STRAIN, 11),
+    Column("forming", TEXT, 9),
+    Column("bending_radius_min", TENTH, 19),
+    Column("dxf", TEXT, 22),
+    Column("nc1", TEXT, 22),
+    Column("sheet", TEXT, 18),
+)
+
+POINTS = (
+    Column("plate", TEXT, 12),
+    Column("point", TEXT, 8),
+    Column("line", TEXT, 8),
+    Column("edge", TEXT, 8),
+    Column("kind", TEXT, 9),
+    *(
+        Column(name, TENTH, 11)
+        for name in ("s", "x", "y", "z", "local_x", "local_y", "local_z", "flat_u", "flat_v")
+    ),
+)
+
+LINES = (
+    Column("plate", TEXT, 12),
+    Column("line", TEXT, 8),
+    Column("from", TEXT, 8),
+    Column("to", TEXT, 8),
+    Column("length_3d", TENTH, 12),
+    Column("length_flat", TENTH, 12),
+    Column("difference", FINE, 12),
+)
+
+PANELS = (
+    Column("plate", TEXT, 12),
+    Column("panel", TEXT, 14),
+    Column("what", TEXT, 14),
+    Column("flat", TENTH, 11),
+    Column("arc", TENTH, 11),
+    Column("chord_outer", TENTH, 12),
+)
+
+CHECKS = (
+    Column("severity", TEXT, 9),
+    Column("code", TEXT, 24),
+    Column("object", TEXT, 14),
+    Column("position", TEXT, 18),
+    Column("value", FINE, 12),
+    Column("limit", FINE, 12),
+    Column("unit", TEXT, 7),
+    Column("message", TEXT, 60),
+    Column("mend", TEXT, 60),
+)
+
+
+def write_results(
+    records: Sequence[MemberRecord],
+    findings: Iterable[Finding],
+    path: str | os.PathLike,
+    project: str = "",
+) -> None:
+    """Write the results workbook to `path`; mm, kg, degrees at full precision.
+
+    Sheets Summary, Plates, Points, Lines, Panels and Checks, header names in row 1; `findings`
+    are those of the build, the records' own are added. `project` is its title. The same input
+    gives the same bytes. Raises BendTorsionError when the file cannot be written.
+    """
+    known = all_findings(records, findings)
+    plates = [plate for record in records for plate in record.plates]
+    tables = (
+        Table("Summary", SUMMARY, _summary(records, known), _project(records, known, project)),
+        Table("Plates", PLATES, map(_plate, plates)),
+        Table("Points", POINTS, (row for plate in plates for row in _points(plate))),
+        Table("Lines", LINES, (row for plate in plates for row in _lines(plate))),
+        Table("Panels", PANELS, (row for plate in plates for row in _panels(plate))),
+        Table("Checks", CHECKS, (_check(finding) for finding in known)),
+    )
+    write_whole(path, xlsx_bytes(tables, project))
+
+
+def _summary(records: Sequence[MemberRecord], known: Sequence[Finding]) -> Iterator[tuple]:
+    for record in records:
+        yield (
+            record.member,
+            record.sections,
+            record.section_type,
+            record.length,
+            record.mass,
+            len(record.plates),
+            record.axis_to_surface_rms,
+            record.axis_to_surface_max,
+            degrees(record.torsion_error_max),
+            degrees(record.total_torsion),
+            largest(plate.length_error_max for plate in record.plates),
+            *_counts(findings_of(record, known)),
+        )
+
+
+def _project(
+    records: Sequence[MemberRecord], known: Sequence[Finding], project: str
+) -> tuple[tuple, ...]:
+    """The block below the members: totals under their columns, then figures by name."""
+    plates = [plate for record in records for plate in record.plates]
+    return (
+        (
+            "total",
+            f"{len(records)} members",
+            None,
+            sum(record.length or 0.0 for record in records),
+            sum(record.mass or 0.0 for record in records),
+            len(plates),
+            *(None,) * 4,
+            largest(plate.length_error_max for plate in plates),
+            *_counts(known),
+        ),
+        ("project", project),
+        ("net_area", None, None, sum(plate.area for plate in plates)),
+        ("units", "mm, mm2, kg, degrees"),
+    )
+
+
+def _counts(findings: Sequence[Finding]) -> tuple[int, ...]:
+    return tuple(
+        sum(finding.severity == severity for finding in findings) for severity in SEVERITIES
+    )
+
+
+def _plate(plate: DevelopedPlate) -> tuple:
+    return (
+        plate.member,
+        plate.mark,
+        plate.part,
+        plate.face,
+        int(plate.piece),
+        plate.thickness,
+        plate.length,
+        plate.width,
+        plate.area,
+        plate.mass,
+        plate.material,
+        plate.length_error_max,
+        plate.strain_max,
+        plate.forming,
+        plate.bending_radius_min,
+        dxf_name(plate.mark),
+        None,
+        sheet_name(plate.member),
+    )
+
+
+def _points(plate: DevelopedPlate) -> Iterator[tuple]:
+    for point in plate.points:
+        yield (
+            plate.mark,
+            point.label,
+            point.line,
+            point.edge,
+            point.kind,
+            point.s,
+            *point.xyz.tolist(),
+            *point.local.tolist(),
+            *point.flat.tolist(),
+        )
+
+
+def _lines(plate: DevelopedPlate) -> Iterator[tuple]:
+    # The points of a line are numbered from its first edge to its second.
+    ends: dict[str, list[str]] = {}
+    for point in plate.points:
+        if point.kind == "arris":
+            ends.setdefault(point.line, []).append(point.label)
+    for line in plate.lines:
+        labels = ends.get(line.label, [])
+        yield (
+            plate.mark,
+            line.label,
+            labels[0] if labels else None,
+            labels[-1] if labels else None,
+            line.length_3d,
+            line.length_flat,
+            line.length_flat - line.length_3d,
+        )
+
+
+def _panels(plate: DevelopedPlate) -> Iterator[tuple]:
+    for panel in plate.panels:
+        yield plate.mark, panel.panel, panel.what, panel.flat, panel.arc, panel.chord_outer
+
+
+def _check(finding: Finding) -> tuple:
+    return tuple(finding.as_dict().values())

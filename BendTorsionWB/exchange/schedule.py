@@ -1,0 +1,310 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The schedule workbook as frozen rows: read_schedule(path) gives a Schedule or all its errors."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from BendTorsionWB.core.finding import BendTorsionError, Finding
+from BendTorsionWB.exchange.schedule_checks import check
+from BendTorsionWB.exchange.schedule_columns import SHEETS, Cut, Joints
+from BendTorsionWB.exchange.schedule_workbook import Place, Record, read_records
+
+_BUILT_IN = Place("built in", "", None)
+
+
+@dataclass(frozen=True)
+class Row:
+    """What every row knows: its place in the file, which is no part of its value."""
+
+    place: Place = field(compare=False, repr=False)
+
+    def where(self, column: str = "") -> str:
+        """`concert_hall.xlsx, sheet Members, row 7, column cut`."""
+        position = self.place.position(column)
+        return f"{self.place.file}, {position}" if position else self.place.file
+
+    def error(self, column: str, code: str, message: str, mend: str = "", **fields) -> Finding:
+        """An error finding at a cell of this row (object: the file; position: the cell)."""
+        return self.place.error(column, code, message, mend, **fields)
+
+
+@dataclass(frozen=True)
+class Settings(Row):
+    """Settings of the whole schedule; mm. docs/schedule.md says what each does."""
+
+    project: str
+    author: str
+    station_spacing: float
+    default_slope: float
+    transition_length: str
+    axis_tolerance: float
+    default_material: str
+    rule_pack: str
+
+
+@dataclass(frozen=True)
+class MaterialRow(Row):
+    """density in kg/mm3; E and fy in MPa."""
+
+    name: str
+    density: float
+    E: float
+    fy: float
+
+
+@dataclass(frozen=True)
+class SurfaceRow(Row):
+    """sizes: the kind's parameters, mm (cone `angle`: rad); centre, offset: mm."""
+
+    name: str
+    kind: str
+    sizes: tuple[tuple[str, float], ...]
+    centre: tuple[float, float, float]
+    offset: float
+    flip: bool
+
+
+@dataclass(frozen=True)
+class PointRow(Row):
+    """A given point of an axis; mm."""
+
+    axis: str
+    number: int
+    x: float
+    y: float
+    z: float
+
+
+@dataclass(frozen=True)
+class AxisRow(Row):
+    """points in the order of their numbers; max_spacing in mm or None."""
+
+    name: str
+    surface: str
+    frame: str
+    fit: str
+    max_spacing: float | None
+    points: tuple[PointRow, ...]
+
+    def coordinates(self) -> np.ndarray:
+        """(n, 3) mm, in order."""
+        return np.array([(point.x, point.y, point.z) for point in self.points])
+
+
+@dataclass(frozen=True)
+class SectionRow(Row):
+    """All mm; thicknesses resolved from t and the single columns; t_web is of each web."""
+
+    name: str
+    type: str
+    h: float
+    b: float
+    t_top: float
+    t_bottom: float
+    t_web: float
+    gap1: float
+    gap2: float
+    material: str
+
+
+@dataclass(frozen=True)
+class SegmentRow(Row):
+    """One segment and the transition before it; cut is None on segment 1. Offsets in mm."""
+
+    member: str
+    number: int
+    section: str
+    cut: Cut | None
+    slope: float
+    align: str
+    align_to: str
+    offset_y: float
+    offset_z: float
+
+
+@dataclass(frozen=True)
+class MemberRow(Row):
+    """A member and its segments in order; offsets in mm, roll in rad, rank kept for nodes."""
+
+    name: str
+    axis: str
+    segments: tuple[SegmentRow, ...]
+    offset_y: float
+    offset_z: float
+    roll: float
+    rank: int | None
+
+
+@dataclass(frozen=True)
+class SplitRow(Row):
+    """The joints of one face of a member."""
+
+    member: str
+    face: str
+    joints: Joints
+
+
+@dataclass(frozen=True)
+class Schedule:
+    """A whole schedule, free of every error that can be told without geometry."""
+
+    file: str
+    settings: Settings
+    materials: tuple[MaterialRow, ...]
+    surfaces: tuple[SurfaceRow, ...]
+    axes: tuple[AxisRow, ...]
+    sections: tuple[SectionRow, ...]
+    members: tuple[MemberRow, ...]
+    splits: tuple[SplitRow, ...]
+
+    def material(self, name: str) -> MaterialRow:
+        """The material of this name; KeyError when there is none, as for the three below."""
+        return _named(self.materials, name)
+
+    def surface(self, name: str) -> SurfaceRow:
+        return _named(self.surfaces, name)
+
+    def axis(self, name: str) -> AxisRow:
+        return _named(self.axes, name)
+
+    def section(self, name: str) -> SectionRow:
+        return _named(self.sections, name)
+
+    def member(self, name: str) -> MemberRow:
+        return _named(self.members, name)
+
+    def splits_of(self, member: str) -> dict[str, SplitRow]:
+        """The member's split rows by face; faces without a row have no entry."""
+        return {split.face: split for split in self.splits if split.member == member}
+
+
+def _named(rows, name):
+    for row in rows:
+        if row.name == name:
+            return row
+    raise KeyError(name)
+
+
+def read_schedule(path) -> Schedule:
+    """The schedule workbook at path.
+
+    Angles become radians, lengths stay mm, empty cells take their defaults. Raises
+    BendTorsionError with one finding per error, in the order of sheets and rows.
+    """
+    records, faults = read_records(path)
+    settings = check(records, faults)
+    if faults:
+        order = {sheet: index for index, sheet in enumerate(SHEETS)}
+        faults.sort(key=lambda fault: (order.get(fault[0].sheet, len(order)), fault[0].row or 0))
+        raise BendTorsionError(finding for _, finding in faults)
+    return _schedule(records, settings)
+
+
+def _schedule(records: dict[str, list[Record] | None], values: dict) -> Schedule:
+    file = records["Members"][0].place.file
+    settings = Settings(Place(file, "Settings"), **values)
+    materials = [
+        MaterialRow(row.place, row["material"], row["density"] * 1e-9, row["E"], row["fy"])
+        for row in records["Materials"] or []
+    ]
+    if all(material.name != "S355" for material in materials):
+        materials.append(MaterialRow(_BUILT_IN, "S355", 7.85e-6, 206000.0, 355.0))
+    return Schedule(
+        file,
+        settings,
+        tuple(materials),
+        tuple(_surface(row) for row in records["Surfaces"]),
+        _axes(records),
+        tuple(_section(row, settings) for row in records["Sections"]),
+        _members(records["Members"], settings),
+        tuple(
+            SplitRow(row.place, row["member"], row["face"], row["joints"])
+            for row in records["Splits"] or []
+        ),
+    )
+
+
+def _surface(row: Record) -> SurfaceRow:
+    given = dict(row["parameters"])
+    centre = tuple(given.pop(key, 0.0) for key in ("x", "y", "z"))
+    if "angle" in given:
+        given["angle"] = math.radians(given["angle"])
+    sizes = tuple(given.items())
+    return SurfaceRow(
+        row.place, row["surface"], row["kind"], sizes, centre, row["offset"], row["flip"]
+    )
+
+
+def _axes(records) -> tuple[AxisRow, ...]:
+    points: dict[str, list[PointRow]] = {}
+    for row in records["Points"]:
+        point = PointRow(row.place, row["axis"], row["no"], row["x"], row["y"], row["z"])
+        points.setdefault(point.axis, []).append(point)
+    return tuple(
+        AxisRow(
+            row.place,
+            row["axis"],
+            row["surface"],
+            row["frame"],
+            row["fit"],
+            row["max_spacing"],
+            tuple(sorted(points[row["axis"]], key=lambda point: point.number)),
+        )
+        for row in records["Axes"]
+    )
+
+
+def _section(row: Record, settings: Settings) -> SectionRow:
+    thickness = (
+        row["t"] if row[name] is None else row[name] for name in ("t_top", "t_bottom", "t_web")
+    )
+    return SectionRow(
+        row.place,
+        row["section"],
+        row["type"],
+        row["h"],
+        row["b"],
+        *thickness,
+        row["gap1"],
+        row["gap2"],
+        row["material"] or settings.default_material,
+    )
+
+
+def _members(rows, settings: Settings) -> tuple[MemberRow, ...]:
+    by_name: dict[str, list[Record]] = {}
+    for row in rows:
+        by_name.setdefault(row["member"], []).append(row)
+    return tuple(
+        MemberRow(
+            first.place,
+            name,
+            first["axis"],
+            tuple(_segment(row, settings) for row in [first, *others]),
+            first["member_offset_y"],
+            first["member_offset_z"],
+            first["roll"],
+            first["rank"],
+        )
+        for name, (first, *others) in by_name.items()
+    )
+
+
+def _segment(row: Record, settings: Settings) -> SegmentRow:
+    slope = settings.default_slope if row["slope"] is None else row["slope"]
+    return SegmentRow(
+        row.place,
+        row["member"],
+        row["segment"],
+        row["section"],
+        row["cut"],
+        slope,
+        row["align"],
+        row["align_to"],
+        row["offset_y"],
+        row["offset_z"],
+    )

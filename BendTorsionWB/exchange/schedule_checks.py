@@ -1,0 +1,327 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the rows of a schedule must be to each other: names that exist, order, sizes that fit."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from BendTorsionWB.exchange.schedule_columns import (
+    CENTRE_PARAMETERS,
+    FIRST_SEGMENT_COLUMNS,
+    SETTINGS,
+    SURFACE_PARAMETERS,
+    did_you_mean,
+)
+from BendTorsionWB.exchange.schedule_workbook import Record, parse_cell
+
+COINCIDENT_POINTS = 1e-3
+"""mm: points of one axis closer than this are the same point written twice."""
+BUILT_IN_MATERIALS = ("S355",)
+
+# Keys that make a row unique, by sheet.
+_KEYS = {
+    "Settings": ("key",),
+    "Materials": ("material",),
+    "Surfaces": ("surface",),
+    "Points": ("axis", "no"),
+    "Axes": ("axis",),
+    "Sections": ("section",),
+    "Splits": ("member", "face"),
+}
+# Names that must be a row of another sheet: (sheet, column, the other sheet, its column).
+_REFERENCES = (
+    ("Points", "axis", "Axes", "axis"),
+    ("Axes", "surface", "Surfaces", "surface"),
+    ("Sections", "material", "Materials", "material"),
+    ("Members", "axis", "Axes", "axis"),
+    ("Members", "section", "Sections", "section"),
+    ("Splits", "member", "Members", "member"),
+)
+
+
+def check(records: dict[str, list[Record] | None], faults: list) -> dict[str, object]:
+    """Appends (place, finding) of everything wrong between the rows; returns the settings by key.
+
+    Cells already found bad, and sheets that are absent where they must not be, are passed over:
+    one error gives one finding.
+    """
+    settings = _settings(records["Settings"] or [], faults)
+    for sheet, keys in _KEYS.items():
+        _duplicates(records[sheet] or [], keys, faults)
+    for sheet, column, other, key in _REFERENCES:
+        _references(records, sheet, column, other, key, faults)
+    _default_material(records, faults)
+    for record in records["Surfaces"] or []:
+        _surface(record, faults)
+    if records["Points"] and records["Axes"]:
+        _points(records["Points"], records["Axes"], faults)
+    for record in records["Sections"] or []:
+        _section(record, faults)
+    axes = {record["axis"] for record in records["Axes"] or []}
+    _members(records["Members"] or [], records["Sections"] or [], axes, faults)
+    return settings
+
+
+def _report(faults, record: Record, column, code, message, mend, **fields):
+    faults.append((record.place, record.error(column, code, message, mend, **fields)))
+
+
+def _settings(rows, faults) -> dict[str, object]:
+    settings = {key: setting.default for key, setting in SETTINGS.items()}
+    for record in rows:
+        key = record["key"]
+        if key is None:
+            continue
+        if key not in SETTINGS:
+            near = did_you_mean(key, SETTINGS)
+            mend = f"did you mean {near}?" if near else f"known keys: {', '.join(SETTINGS)}"
+            _report(faults, record, "key", "unknown-name", "unknown setting", mend)
+        elif record["value"] is not None:
+            value, fault = parse_cell(record.place, SETTINGS[key], record["value"])
+            settings[key] = value
+            if fault is not None:
+                message = f"{key}: {fault.message}"
+                fields = {"value": fault.value, "limit": fault.limit, "unit": fault.unit}
+                _report(faults, record, "value", fault.code, message, fault.mend, **fields)
+    return settings
+
+
+def _duplicates(rows, keys, faults):
+    first: dict[tuple, Record] = {}
+    for record in rows:
+        name = tuple(record[key] for key in keys)
+        if None in name:
+            continue
+        if name in first:
+            what = " ".join(str(part) for part in name)
+            row = first[name].place.row
+            message = f"{' and '.join(keys)} {what} is already in row {row}"
+            _report(faults, record, keys[-1], "duplicate", message, "delete or rename one of them")
+        else:
+            first[name] = record
+
+
+def _references(records, sheet, column, other, key, faults):
+    # A key cell that could not be read may be the very name looked for.
+    if records[other] is None or any(key in record.bad for record in records[other]):
+        return
+    known = {record[key] for record in records[other]}
+    if other == "Materials":
+        known.update(BUILT_IN_MATERIALS)
+    for record in records[sheet] or []:
+        name = record[column]
+        # Further segments repeat the axis of segment 1 or nothing.
+        if sheet == "Members" and column == "axis" and record["segment"] != 1:
+            continue
+        if name is not None and name not in known:
+            near = did_you_mean(name, known)
+            mend = f"did you mean {near}? Otherwise add" if near else "correct it or add"
+            message = f"unknown {key}: sheet {other} has no such row"
+            _report(faults, record, column, "unknown-name", message, f"{mend} it to sheet {other}")
+
+
+def _default_material(records, faults):
+    if records["Materials"] is None:
+        return
+    known = {record["material"] for record in records["Materials"]} | {*BUILT_IN_MATERIALS}
+    for record in records["Settings"] or []:
+        is_name = record["key"] == "default_material" and record["value"] is not None
+        if is_name and str(record["value"]).strip() not in known:
+            message = "unknown material: sheet Materials has no such row"
+            mend = "correct it or add it to sheet Materials"
+            _report(faults, record, "value", "unknown-name", message, mend)
+
+
+def _surface(record, faults):
+    kind, given = record["kind"], record["parameters"]
+    if kind is None or given is None:
+        return
+    needed = SURFACE_PARAMETERS[kind]
+    example = " ".join(f"{key}=..." for key in needed) or "nothing, or x= y= z="
+
+    def report(code, message, **fields):
+        mend = f"{kind} takes {example}, and x= y= z= for its place"
+        _report(faults, record, "parameters", code, message, mend, **fields)
+
+    for key in given:
+        if key not in needed and key not in CENTRE_PARAMETERS:
+            report("bad-parameters", f"{kind} has no parameter {key}")
+    for key in needed:
+        if key not in given:
+            report("bad-parameters", f"{kind} lacks the parameter {key}")
+        elif given[key] <= 0.0:
+            fields = {"limit": "above 0", "value": f"{key}={given[key]:g}"}
+            report("out-of-range", f"parameter {key} is not positive", **fields)
+    if kind == "cone" and given.get("angle", 0.0) >= 90.0:
+        fields = {"value": given["angle"], "limit": "below 90", "unit": "degrees"}
+        report("out-of-range", "the half angle is not below 90 degrees", **fields)
+    if kind == "torus" and 0.0 < given.get("R", 0.0) <= given.get("r", 0.0):
+        fields = {"value": given["r"], "limit": given["R"], "unit": "mm"}
+        report("out-of-range", "r is not below R: the torus would cut itself", **fields)
+
+
+def _points(points, axes, faults):
+    by_axis = defaultdict(list)
+    for record in points:
+        by_axis[record["axis"]].append(record)
+    # A row whose axis cannot be read may belong to any axis.
+    count_is_known = not by_axis[None]
+    for axis in axes:
+        rows = by_axis[axis["axis"]]
+        if count_is_known and axis["axis"] is not None and len(rows) < 2:
+            message = f"axis {axis['axis']} has fewer than two points"
+            mend = "add its points to sheet Points"
+            fields = {"value": len(rows), "limit": "at least 2", "unit": "points"}
+            _report(faults, axis, "axis", "too-few-points", message, mend, **fields)
+    for name, rows in by_axis.items():
+        whole = [row for row in rows if not row.bad & {"x", "y", "z"}]
+        if name is None or len(whole) < 2:
+            continue
+        places = np.array([[row["x"], row["y"], row["z"]] for row in whole])
+        for first, second in sorted(cKDTree(places).query_pairs(COINCIDENT_POINTS)):
+            record, other = whole[second], whole[first]
+            message = f"the point lies on point {other['no']} in row {other.place.row}"
+            mend = "delete one of the two or correct its coordinates"
+            fields = {"limit": f"{COINCIDENT_POINTS:g} mm apart"}
+            fields["value"] = ", ".join(f"{figure:g}" for figure in places[second])
+            _report(faults, record, "x", "coincident-points", message, mend, **fields)
+
+
+def _section(record, faults):
+    if record.bad & {"h", "b", "t", "t_top", "t_bottom", "t_web", "gap1", "gap2", "type"}:
+        return
+    # The columns that give each thickness; `t` stands in for those left empty.
+    source = {
+        name: name if record[name] is not None else "t" for name in ("t_top", "t_bottom", "t_web")
+    }
+    if record["t"] is None and "t" in source.values():
+        empty = ", ".join(name for name, column in source.items() if column == "t")
+        message = f"no thickness: t and {empty} are empty"
+        mend = "fill in t, or all of t_top, t_bottom and t_web"
+        _report(faults, record, "t", "value-missing", message, mend)
+        return
+    reported = set()
+    for name, size in (("t_top", "h"), ("t_bottom", "h"), ("t_web", "b")):
+        column, limit = source[name], record[size] / 2.0
+        if record[column] >= limit and column not in reported:
+            reported.add(column)
+            message = f"the plate is not thinner than half of {size} = {record[size]:g} mm"
+            mend = f"write less than {limit:g}, or a larger {size}"
+            fields = {"limit": limit, "unit": "mm"}
+            _report(faults, record, column, "too-thick", message, mend, **fields)
+    if reported:
+        return
+    thickness = {name: record[column] for name, column in source.items()}
+    if record["type"] == "box1":
+        room, plates = record["b"] - 2.0 * thickness["t_web"], "top and bottom"
+    else:
+        room, plates = record["h"] - thickness["t_top"] - thickness["t_bottom"], "webs"
+    gaps = record["gap1"] + record["gap2"]
+    if gaps >= room:
+        column = "gap1" if record["gap1"] >= record["gap2"] else "gap2"
+        message = f"the gaps leave no width for {plates}"
+        fields = {"value": gaps, "limit": room, "unit": "mm"}
+        mend = f"keep gap1 + gap2 below {room:g}"
+        _report(faults, record, column, "gap-too-wide", message, mend, **fields)
+
+
+def _members(rows, sections, axes, faults):
+    type_of: dict[str, str] = {}
+    for record in sections:
+        type_of.setdefault(record["section"], record["type"])
+    members = defaultdict(list)
+    for record in rows:
+        if record["member"] is not None:
+            members[record["member"]].append(record)
+    spelling: dict[str, str] = {}
+    for name, segments in members.items():
+        other = spelling.setdefault(name.lower(), name)
+        if other != name:
+            message = f"member {name} differs from {other} by capital letters only"
+            mend = "rename one: their files would overwrite each other on some systems"
+            _report(faults, segments[0], "member", "duplicate", message, mend)
+        _segments(name, segments, axes, faults)
+        _types(name, segments, type_of, faults)
+
+
+def _segments(name, segments, axes, faults):
+    seen: dict[int, Record] = {}
+    last_cut: dict[bool, object] = {}
+    in_order = True
+    for wanted, record in enumerate(segments, 1):
+        number = record["segment"]
+        if number in seen and number is not None:
+            message = f"segment {number} of {name} is already in row {seen[number].place.row}"
+            mend = "number them 1, 2, 3 in order"
+            _report(faults, record, "segment", "duplicate", message, mend)
+            in_order = False
+        elif number is not None and number != wanted and in_order:
+            message = f"segments of {name} are not numbered 1, 2, 3 in order"
+            mend = f"write {wanted}"
+            _report(faults, record, "segment", "segment-order", message, mend, limit=wanted)
+            in_order = False
+        seen.setdefault(number, record)
+        # Whatever its number says, the first row is judged as the first segment.
+        if wanted == 1:
+            _first_segment(name, record, faults)
+        else:
+            _later_segment(name, record, segments[0]["axis"], axes, faults)
+        cut = record["cut"]
+        if cut is not None and wanted != 1:
+            before = last_cut.get(cut.is_ratio)
+            if before is not None and cut.value <= before["cut"].value and in_order:
+                message = f"cuts of {name} do not rise"
+                mend = f"write a cut beyond row {before.place.row}'s {before.given['cut']}"
+                fields = {"limit": f"above {before.given['cut']}"}
+                _report(faults, record, "cut", "cut-not-rising", message, mend, **fields)
+            last_cut[cut.is_ratio] = record
+
+
+def _first_segment(name, record, faults):
+    if record["axis"] is None and "axis" not in record.bad:
+        message = f"member {name} has no axis"
+        _report(faults, record, "axis", "value-missing", message, "fill in axis on segment 1")
+    if record["cut"] is not None:
+        message = f"segment 1 of {name} starts at the member's start and has no cut"
+        mend = "empty the cell; the cut belongs on the row of segment 2"
+        _report(faults, record, "cut", "cut-on-first-segment", message, mend)
+    if record["align_to"] == "previous":
+        message = f"segment 1 of {name} has no previous segment"
+        _report(faults, record, "align_to", "nothing-previous", message, "write axis")
+
+
+def _later_segment(name, record, axis, axes, faults):
+    number = record.given.get("segment")
+    if record["cut"] is None and "cut" not in record.bad:
+        message = f"segment {number} of {name} has no cut"
+        mend = "write where it starts: mm from the member's start, or a ratio such as 35%"
+        _report(faults, record, "cut", "value-missing", message, mend)
+    # An unknown axis of segment 1 is reported there.
+    if record["axis"] is not None and axis in axes and record["axis"] != axis:
+        message = f"segment {number} of {name} has another axis than segment 1"
+        mend = f"write {axis}, or empty the cell"
+        _report(faults, record, "axis", "axis-differs", message, mend, limit=axis)
+    for column in FIRST_SEGMENT_COLUMNS:
+        if column in record.given and column not in record.bad:
+            message = f"{column} holds for the whole member {name}"
+            mend = "empty the cell; write it on segment 1"
+            _report(faults, record, column, "first-segment-only", message, mend)
+
+
+def _types(name, segments, type_of, faults):
+    first = None
+    for record in segments:
+        kind = type_of.get(record["section"])
+        if kind is None:
+            continue
+        if first is None:
+            first = record
+            continue
+        wanted = type_of[first["section"]]
+        if kind != wanted:
+            message = f"member {name} changes from type {wanted} to {kind}"
+            mend = f"use a section of type {wanted}, or two members"
+            _report(faults, record, "section", "type-change", message, mend)

@@ -1,0 +1,382 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Opens a schedule workbook and reads its sheets into records of parsed cells with their place."""
+
+from __future__ import annotations
+
+import datetime
+import io
+import math
+import os
+import posixpath
+import re
+import warnings
+import zipfile
+import zlib
+from dataclasses import dataclass
+from pathlib import Path
+from xml.etree import ElementTree
+
+import openpyxl
+from openpyxl.utils import get_column_letter
+from openpyxl.utils.cell import coordinate_to_tuple
+from openpyxl.utils.exceptions import InvalidFileException
+
+from BendTorsionWB.core.finding import BendTorsionError, Finding, error
+from BendTorsionWB.exchange.schedule_columns import (
+    LATER_SHEETS,
+    OPTIONAL_SHEETS,
+    SHEETS,
+    BadCell,
+    Percent,
+    did_you_mean,
+)
+
+LARGEST_UNPACKED = 200e6
+"""Bytes a workbook may unpack to."""
+MOST_CELLS = 2_000_000
+"""Cells of the rectangle a sheet may span."""
+
+# What openpyxl, zipfile and the XML parser raise on damaged files; each means "unreadable".
+_DAMAGED = (
+    zipfile.BadZipFile,
+    zlib.error,
+    InvalidFileException,
+    OSError,
+    EOFError,
+    SyntaxError,
+    LookupError,
+    ValueError,
+    TypeError,
+    AttributeError,
+    ArithmeticError,
+    AssertionError,
+    RuntimeError,
+)
+_OLE_MAGIC = bytes.fromhex("D0CF11E0A1B11AE1")
+_SAVE_AS_XLSX = "save it as an Excel workbook (.xlsx) in a spreadsheet program"
+_MAIN = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
+_RELATION = "{http://schemas.openxmlformats.org/officeDocument/2006/relationships}id"
+
+
+@dataclass(frozen=True)
+class Place:
+    """A row of a sheet of a file."""
+
+    file: str
+    sheet: str
+    row: int | None = None
+
+    def position(self, column: str = "") -> str:
+        """`sheet Members, row 7, column cut`."""
+        parts = [f"sheet {self.sheet}"] if self.sheet else []
+        if self.row is not None:
+            parts.append(f"row {self.row}")
+        if column:
+            parts.append(f"column {column}")
+        return ", ".join(parts)
+
+    def error(self, column: str, code: str, message: str, mend: str = "", **fields) -> Finding:
+        """An error finding at a cell of this row."""
+        return error(code, self.file, message, mend, position=self.position(column), **fields)
+
+
+@dataclass(frozen=True)
+class Record:
+    """One row: parsed values by column (defaults filled in, None where bad), and cells as given."""
+
+    place: Place
+    values: dict
+    given: dict
+    bad: frozenset
+
+    def __getitem__(self, column: str):
+        return self.values[column]
+
+    def error(self, column: str, code: str, message: str, mend: str = "", **fields) -> Finding:
+        """An error finding at a cell of this row, with the cell's value."""
+        fields.setdefault("value", self.given.get(column))
+        return self.place.error(column, code, message, mend, **fields)
+
+
+def shown(value):
+    """A cell's value as a person sees it: numbers stay numbers, everything else is text."""
+    if isinstance(value, Percent):
+        return f"{value * 100:.10g}%"
+    if isinstance(value, (bool, datetime.date, datetime.time, datetime.timedelta)):
+        return str(value)
+    if isinstance(value, float) and value.is_integer() and abs(value) < 1e15:
+        return int(value)
+    if isinstance(value, str) and len(value) > 80:
+        return value[:77] + "..."
+    return value if isinstance(value, (int, float, str)) else str(value)
+
+
+def parse_cell(place: Place, column, raw) -> tuple[object, Finding | None]:
+    """One cell read by its column: (value, None), or (None, the finding)."""
+    if raw is None:
+        if column.required:
+            mend = f"fill in {column.name}"
+            return None, place.error(column.name, "value-missing", "the cell is empty", mend)
+        return column.default, None
+    try:
+        return column.parse(raw), None
+    except BadCell as bad:
+        fields = {"value": shown(raw), "limit": bad.limit, "unit": bad.unit}
+        return None, place.error(column.name, bad.code, bad.message, bad.mend, **fields)
+
+
+def read_records(path) -> tuple[dict[str, list[Record] | None], list[tuple[Place, Finding]]]:
+    """Every known sheet's rows, and the faults with their places.
+
+    An optional sheet that is absent has no rows; a sheet whose rows cannot be told is None.
+    Raises BendTorsionError with one finding when the file cannot be opened as a workbook.
+    """
+    path = Path(path)
+    workbook, hollow = _open(path)
+    faults: list[tuple[Place, Finding]] = []
+    present = [sheet.title for sheet in workbook.worksheets]
+    renamed = set()
+    for title in workbook.sheetnames:
+        place = Place(path.name, title)
+        if title in LATER_SHEETS:
+            mend = f"delete sheet {title}"
+            message = f"sheet {title} is not supported yet"
+            faults.append((place, place.error("", "not-supported-yet", message, mend)))
+        elif title not in SHEETS or title not in present:
+            near = did_you_mean(title, [name for name in SHEETS if name not in present])
+            renamed.add(near)
+            mend = f"did you mean {near}? rename it" if near else "delete or rename it"
+            limit = ", ".join(SHEETS)
+            message, fields = "unknown sheet", {"value": title, "limit": limit}
+            faults.append((place, place.error("", "sheet-unknown", message, mend, **fields)))
+    records: dict[str, list[Record] | None] = {}
+    for title, columns in SHEETS.items():
+        place = Place(path.name, title)
+        records[title] = [] if title in OPTIONAL_SHEETS else None
+        if title in present:
+            holes = hollow.get(title, {})
+            records[title] = _read_sheet(workbook[title], place, columns, holes, faults)
+        elif title not in OPTIONAL_SHEETS and title not in renamed:
+            names = ", ".join(column.name for column in columns if column.required)
+            mend = f"add sheet {title} with at least the columns {names}"
+            message = f"sheet {title} is missing"
+            faults.append((place, place.error("", "sheet-missing", message, mend)))
+    return records, faults
+
+
+def _read_sheet(sheet, place, columns, hollow, faults) -> list[Record] | None:
+    span = sheet.max_row * sheet.max_column
+    if span > MOST_CELLS:
+        mend = "delete the empty, formatted rows and columns beyond the table"
+        message = f"the sheet reaches to row {sheet.max_row}, column {sheet.max_column}"
+        fields = {"value": span, "limit": MOST_CELLS, "unit": "cells"}
+        faults.append((place, place.error("", "sheet-too-large", message, mend, **fields)))
+        return None
+    rows = sheet.iter_rows()
+    heading = Place(place.file, place.sheet, 1)
+    headings = [cell for cell in next(rows, ()) if _raw(cell) is not None]
+    if not headings:
+        names = ", ".join(column.name for column in columns if column.required)
+        mend = f"write the headings in row 1: {names}"
+        fault = heading.error("", "heading-missing", "there are no column headings", mend)
+        faults.append((heading, fault))
+        return None
+    by_index, complete = _read_heading(headings, heading, columns, faults)
+    records = []
+    for cells in rows:
+        # A formatted blank string is as empty as no cell at all.
+        raw = {cell.column: _raw(cell) for cell in cells}
+        holes = {cell.column for cell in cells if (cell.row, cell.column) in hollow}
+        if all(value is None for value in raw.values()) and not holes:
+            continue
+        here = Place(place.file, place.sheet, cells[0].row)
+        for index in sorted(index for index in raw if index not in by_index):
+            if raw[index] is not None:
+                letter = get_column_letter(index)
+                mend = "name the column in row 1 or empty the cell"
+                message = "a value in a column without a known heading"
+                # A whole column under an unknown heading was reported at the heading.
+                if sheet.cell(1, index).value is None:
+                    fields = {"value": shown(raw[index])}
+                    fault = here.error(letter, "column-unnamed", message, mend, **fields)
+                    faults.append((here, fault))
+        records.append(_read_row(cells, here, by_index, raw, hollow, faults))
+    if not complete:
+        return None
+    if not records and place.sheet not in OPTIONAL_SHEETS:
+        message = f"sheet {place.sheet} has no rows"
+        mend = "fill in at least one row below the headings"
+        faults.append((place, place.error("", "sheet-empty", message, mend)))
+    return records
+
+
+def _read_heading(cells, place, columns, faults):
+    """Declared column by its index in the sheet, and whether every required one is there."""
+    declared = {column.name: column for column in columns}
+    names = {cell.column: str(cell.value).strip() for cell in cells}
+    by_index, renamed = {}, set()
+    for index, name in names.items():
+        if name not in declared:
+            near = did_you_mean(name, [known for known in declared if known not in names.values()])
+            renamed.add(near)
+            mend = f"did you mean {near}? rename it" if near else "delete or rename the column"
+            limit = ", ".join(declared)
+            fields = {"value": name, "limit": limit}
+            fault = place.error(name, "column-unknown", "unknown column", mend, **fields)
+            faults.append((place, fault))
+        elif declared[name] in by_index.values():
+            mend = "delete or rename one of the two columns"
+            fault = place.error(name, "duplicate", "the column is there twice", mend, value=name)
+            faults.append((place, fault))
+        else:
+            by_index[index] = declared[name]
+    missing = [
+        column.name for column in columns if column.required and column.name not in names.values()
+    ]
+    for name in missing:
+        if name not in renamed:
+            mend = f"add a column with the heading {name} in row 1"
+            message = f"column {name} is missing"
+            faults.append((place, place.error(name, "column-missing", message, mend)))
+    return by_index, not missing
+
+
+def _read_row(cells, place, by_index, raw, hollow, faults) -> Record:
+    values, given, bad = {}, {}, set()
+    for cell in cells:
+        column = by_index.get(cell.column)
+        if column is None:
+            continue
+        hole = hollow.get((cell.row, cell.column))
+        fault = None
+        if hole == "formula" and raw[cell.column] is None:
+            mend = "open and save the file in a spreadsheet program, or write the value itself"
+            message = "a formula that was never calculated"
+            fault = place.error(column.name, "formula-without-value", message, mend)
+        elif hole is not None and raw[cell.column] is None:
+            mend = "write a number"
+            fields = {"value": "NaN"}
+            fault = place.error(column.name, "not-finite", "not a finite number", mend, **fields)
+        elif cell.data_type == "e":
+            mend = "correct the formula or write the value itself"
+            message, fields = "the cell holds an error", {"value": cell.value}
+            fault = place.error(column.name, "cell-error", message, mend, **fields)
+        if fault is None:
+            values[column.name], fault = parse_cell(place, column, raw[cell.column])
+        if fault is not None:
+            values[column.name] = None
+            bad.add(column.name)
+            faults.append((place, fault))
+        if raw[cell.column] is not None:
+            given[column.name] = shown(raw[cell.column])
+    for column in SHEETS[place.sheet]:
+        values.setdefault(column.name, column.default)
+    return Record(place, values, given, frozenset(bad))
+
+
+def _raw(cell):
+    """The cell's value; None when blank, Percent when shown in per cent."""
+    value = cell.value
+    if isinstance(value, str):
+        return value if value.strip() else None
+    is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    if is_number and "%" in str(cell.number_format):
+        return Percent(value)
+    return value
+
+
+def _open(path: Path):
+    """The workbook with cached values, and its cells that have a value element but no value."""
+
+    def refuse(code, message, mend, **fields):
+        return BendTorsionError(error(code, path.name or str(path), message, mend, **fields))
+
+    try:
+        content = path.read_bytes()
+    except FileNotFoundError:
+        mend = "check the folder and the name"
+        raise refuse("file-missing", "there is no such file", mend, value=str(path)) from None
+    except IsADirectoryError:
+        mend = "name the workbook itself"
+        raise refuse("file-unreadable", "this is a folder", mend, value=str(path)) from None
+    except OSError as reason:
+        mend = "check that you may read it and that no other program locks it"
+        message = f"the file cannot be read: {os.strerror(reason.errno or 0)}"
+        raise refuse("file-unreadable", message, mend) from None
+    if not content:
+        raise refuse("not-xlsx", "the file is empty", "restore it or write it again")
+    if content.startswith(_OLE_MAGIC):
+        if "EncryptedPackage".encode("utf-16-le") in content:
+            mend = "save it without a password"
+            raise refuse("file-encrypted", "the workbook is encrypted", mend)
+        raise refuse("not-xlsx", "an old Excel file (.xls), not a workbook (.xlsx)", _SAVE_AS_XLSX)
+    if not zipfile.is_zipfile(io.BytesIO(content)):
+        raise refuse("not-xlsx", "not an Excel workbook (.xlsx)", _SAVE_AS_XLSX)
+    hollow = None
+    try:
+        with zipfile.ZipFile(io.BytesIO(content)) as archive:
+            unpacked = sum(item.file_size for item in archive.infolist())
+            if unpacked > LARGEST_UNPACKED:
+                fields = {"value": unpacked, "limit": int(LARGEST_UNPACKED), "unit": "bytes"}
+                mend = "split the schedule into several files"
+                raise refuse("file-too-large", "the workbook unpacks to too much", mend, **fields)
+            if any(item.flag_bits & 1 for item in archive.infolist()):
+                mend = "save it without a password"
+                raise refuse("file-encrypted", "the workbook is encrypted", mend)
+            if "xl/workbook.xml" not in archive.namelist():
+                message = "not an Excel workbook (.xlsx)"
+                raise refuse("not-xlsx", message, _SAVE_AS_XLSX)
+            hollow, broken = _scan_cells(archive, path.name)
+            if broken:
+                raise BendTorsionError(broken)
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                workbook = openpyxl.load_workbook(io.BytesIO(content), data_only=True)
+    except _DAMAGED as reason:
+        message = f"the workbook is damaged ({type(reason).__name__})"
+        raise refuse("file-unreadable", message, f"open it and {_SAVE_AS_XLSX}") from None
+    return workbook, hollow
+
+
+def _scan_cells(archive: zipfile.ZipFile, file: str):
+    """Cells openpyxl reads as empty though they are not, and numeric cells it would fail on.
+
+    Returns {sheet: {(row, column): 'formula' | 'number'}} (a formula without its cached value, or
+    an empty number, which is how programs write NaN) and findings of numbers that are none.
+    """
+    book = ElementTree.fromstring(archive.read("xl/workbook.xml"))
+    relations = ElementTree.fromstring(archive.read("xl/_rels/workbook.xml.rels"))
+    targets = {relation.get("Id"): relation.get("Target") for relation in relations}
+    hollow: dict[str, dict[tuple[int, int], str]] = {}
+    broken = []
+    for sheet in book.iter(f"{_MAIN}sheet"):
+        title = sheet.get("name")
+        part = posixpath.normpath(posixpath.join("/xl", targets[sheet.get(_RELATION)]))[1:]
+        holes = hollow.setdefault(title, {})
+        with archive.open(part) as stream:
+            for _, element in ElementTree.iterparse(stream):
+                if element.tag != f"{_MAIN}c":
+                    continue
+                figure = element.findtext(f"{_MAIN}v")
+                kind = element.get("t", "n")
+                where = element.get("r")
+                if where and not figure and element.find(f"{_MAIN}f") is not None:
+                    holes[coordinate_to_tuple(where)] = "formula"
+                elif where and kind == "n" and figure is not None and not figure.strip():
+                    holes[coordinate_to_tuple(where)] = "number"
+                elif where and kind == "n" and figure and not _is_number(figure):
+                    letters, row = re.fullmatch(r"([A-Z]+)([0-9]+)", where).groups()
+                    place = Place(file, title, int(row))
+                    message = "not a finite number"
+                    fields = {"value": shown(figure)}
+                    fault = place.error(letters, "not-finite", message, "write a number", **fields)
+                    broken.append(fault)
+                element.clear()
+    return hollow, broken
+
+
+def _is_number(figure: str) -> bool:
+    try:
+        return math.isfinite(float(figure))
+    except ValueError:
+        return False

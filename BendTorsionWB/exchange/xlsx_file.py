@@ -1,0 +1,268 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tables as an xlsx file: one sheet each, ready to filter and print, the same bytes every time.
+
+Written directly because the usual library takes ten times as long for the tables of a building
+and stamps the time into every file.
+"""
+
+from __future__ import annotations
+
+import io
+import math
+import re
+import zipfile
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from xml.sax.saxutils import escape, quoteattr
+
+TEXT = "@"
+WHOLE = "0"
+TENTH = "0.0"
+FINE = "0.0000"
+STRAIN = "0.00E+00"
+
+_FORMATS = (WHOLE, TENTH, FINE, STRAIN)
+_HEADER_STYLE = 1
+_TEXT_STYLE = 2
+_QUOTED_STYLE = 3  # text that looks like a formula stays text when the cell is edited
+_FIRST_NUMBER_STYLE = 4
+_FORMULA_STARTS = ("=", "+", "-", "@")
+_NOT_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
+_MAIN = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
+_DOCUMENT = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
+_PACKAGE = "http://schemas.openxmlformats.org/package/2006"
+_HEAD = '<?xml version="1.0" encoding="UTF-8" standalone="yes"?>\n'
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column: its machine-readable name, number format and width in characters."""
+
+    name: str
+    format: str = TENTH
+    width: float = 12.0
+
+
+@dataclass(frozen=True)
+class Table:
+    """A sheet: header row, rows of str, int, float or None; rows below the table as `notes`.
+
+    NaN and infinite numbers are left empty. `notes` begin one row below the table and are not
+    part of its filter.
+    """
+
+    name: str
+    columns: Sequence[Column]
+    rows: Iterable[Sequence]
+    notes: Sequence[Sequence] = ()
+
+
+def xlsx_bytes(tables: Sequence[Table], title: str = "") -> bytes:
+    """The xlsx file of `tables` in their order. Every text is a string cell, never a formula."""
+    strings: dict[str, int] = {}
+    sheets, heights = [], []
+    for table in tables:
+        xml, height = _sheet(table, strings)
+        sheets.append(xml)
+        heights.append(height)
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED, compresslevel=3) as archive:
+        for name, content in (
+            ("[Content_Types].xml", _content_types(len(tables))),
+            ("_rels/.rels", _root_relations()),
+            ("docProps/core.xml", _core(title)),
+            ("xl/workbook.xml", _workbook(tables, heights)),
+            ("xl/_rels/workbook.xml.rels", _relations(len(tables))),
+            ("xl/styles.xml", _styles()),
+            *((f"xl/worksheets/sheet{n}.xml", xml) for n, xml in enumerate(sheets, start=1)),
+            ("xl/sharedStrings.xml", _shared_strings(strings)),
+        ):
+            member = zipfile.ZipInfo(name, date_time=(1980, 1, 1, 0, 0, 0))
+            member.create_system = 0
+            member.compress_type = zipfile.ZIP_DEFLATED
+            archive.writestr(member, content)
+    return stream.getvalue()
+
+
+def _sheet(table: Table, strings: dict[str, int]) -> tuple[str, int]:
+    """XML of a sheet, and the number of the table's last row."""
+    letters = [_letters(index) for index in range(len(table.columns))]
+    styles = [
+        _FIRST_NUMBER_STYLE + _FORMATS.index(column.format) if column.format in _FORMATS else 0
+        for column in table.columns
+    ]
+    number = 1
+    header = "".join(
+        f'<c r="{letter}1" s="{_HEADER_STYLE}" t="s"><v>{_string(column.name, strings)}</v></c>'
+        for letter, column in zip(letters, table.columns)
+    )
+    rows = [f'<row r="1">{header}</row>']
+    for values in table.rows:
+        number += 1
+        rows.append(_row(number, values, letters, styles, strings))
+    last = number
+    for number, values in enumerate(table.notes, start=last + 2):
+        rows.append(_row(number, values, letters, styles, strings))
+    widths = "".join(
+        f'<col min="{n}" max="{n}" width="{column.width:g}" customWidth="1"/>'
+        for n, column in enumerate(table.columns, start=1)
+    )
+    area = f"A1:{letters[-1]}{last}"
+    return (
+        f'{_HEAD}<worksheet xmlns="{_MAIN}"><sheetPr><pageSetUpPr fitToPage="1"/></sheetPr>'
+        f'<dimension ref="A1:{letters[-1]}{number}"/>'
+        '<sheetViews><sheetView workbookViewId="0"><pane ySplit="1" topLeftCell="A2" '
+        'activePane="bottomLeft" state="frozen"/><selection pane="bottomLeft" activeCell="A2" '
+        'sqref="A2"/></sheetView></sheetViews><sheetFormatPr defaultRowHeight="15"/>'
+        f"<cols>{widths}</cols><sheetData>{''.join(rows)}</sheetData>"
+        f'<autoFilter ref="{area}"/>'
+        '<pageMargins left="0.4" right="0.4" top="0.5" bottom="0.6" header="0.3" footer="0.3"/>'
+        '<pageSetup paperSize="9" orientation="landscape" fitToWidth="1" fitToHeight="0"/>'
+        "<headerFooter><oddFooter>&amp;L&amp;A&amp;R&amp;P / &amp;N</oddFooter></headerFooter>"
+        "</worksheet>"
+    ), last
+
+
+def _row(
+    number: int, values: Sequence, letters: list[str], styles: list[int], strings: dict[str, int]
+) -> str:
+    cells = []
+    for letter, style, value in zip(letters, styles, values):
+        if value is None or value == "":
+            continue
+        if isinstance(value, str):
+            text_style = _QUOTED_STYLE if value.startswith(_FORMULA_STARTS) else _TEXT_STYLE
+            index = _string(value, strings)
+            cells.append(f'<c r="{letter}{number}" s="{text_style}" t="s"><v>{index}</v></c>')
+        elif isinstance(value, int):
+            cells.append(f'<c r="{letter}{number}" s="{style}"><v>{int(value)}</v></c>')
+        elif math.isfinite(value):
+            cells.append(f'<c r="{letter}{number}" s="{style}"><v>{float(value)!r}</v></c>')
+    return f'<row r="{number}">{"".join(cells)}</row>'
+
+
+def _string(text: str, strings: dict[str, int]) -> int:
+    return strings.setdefault(text, len(strings))
+
+
+def _letters(index: int) -> str:
+    letters = ""
+    index += 1
+    while index:
+        index, rest = divmod(index - 1, 26)
+        letters = chr(ord("A") + rest) + letters
+    return letters
+
+
+def _shared_strings(strings: dict[str, int]) -> str:
+    items = "".join(
+        f'<si><t xml:space="preserve">{escape(_NOT_XML.sub(" ", text))}</t></si>'
+        for text in strings
+    )
+    return f'{_HEAD}<sst xmlns="{_MAIN}" uniqueCount="{len(strings)}">{items}</sst>'
+
+
+def _styles() -> str:
+    custom = [format for format in _FORMATS if format != WHOLE]
+    codes = "".join(
+        f'<numFmt numFmtId="{n}" formatCode="{format}"/>'
+        for n, format in enumerate(custom, start=164)
+    )
+    identity = {WHOLE: 1, **{format: n for n, format in enumerate(custom, start=164)}}
+    plain = 'fontId="0" fillId="0" borderId="0" xfId="0"'
+    cells = [
+        f'<xf numFmtId="0" {plain}/>',
+        '<xf numFmtId="0" fontId="1" fillId="2" borderId="0" xfId="0" applyFont="1" '
+        'applyFill="1"/>',
+        f'<xf numFmtId="49" {plain} applyNumberFormat="1"/>',
+        f'<xf numFmtId="49" {plain} applyNumberFormat="1" quotePrefix="1"/>',
+        *(
+            f'<xf numFmtId="{identity[format]}" {plain} applyNumberFormat="1"/>'
+            for format in _FORMATS
+        ),
+    ]
+    return (
+        f'{_HEAD}<styleSheet xmlns="{_MAIN}"><numFmts count="{len(custom)}">{codes}</numFmts>'
+        '<fonts count="2"><font><sz val="10"/><name val="Arial"/></font>'
+        '<font><b/><sz val="10"/><name val="Arial"/></font></fonts>'
+        '<fills count="3"><fill><patternFill patternType="none"/></fill>'
+        '<fill><patternFill patternType="gray125"/></fill><fill><patternFill patternType="solid">'
+        '<fgColor rgb="FFD9E1EA"/><bgColor indexed="64"/></patternFill></fill></fills>'
+        '<borders count="1"><border><left/><right/><top/><bottom/><diagonal/></border></borders>'
+        '<cellStyleXfs count="1"><xf numFmtId="0" fontId="0" fillId="0" borderId="0"/>'
+        f'</cellStyleXfs><cellXfs count="{len(cells)}">{"".join(cells)}</cellXfs>'
+        '<cellStyles count="1"><cellStyle name="Normal" xfId="0" builtinId="0"/></cellStyles>'
+        "</styleSheet>"
+    )
+
+
+def _workbook(tables: Sequence[Table], heights: Sequence[int]) -> str:
+    sheets = "".join(
+        f'<sheet name={quoteattr(table.name)} sheetId="{n}" r:id="rId{n}"/>'
+        for n, table in enumerate(tables, start=1)
+    )
+    names = []
+    for index, (table, last) in enumerate(zip(tables, heights)):
+        column = _letters(len(table.columns) - 1)
+        names.append(
+            f'<definedName name="_xlnm._FilterDatabase" localSheetId="{index}" hidden="1">'
+            f"'{table.name}'!$A$1:${column}${last}</definedName>"
+        )
+    for index, table in enumerate(tables):
+        names.append(
+            f'<definedName name="_xlnm.Print_Titles" localSheetId="{index}">'
+            f"'{table.name}'!$1:$1</definedName>"
+        )
+    return (
+        f'{_HEAD}<workbook xmlns="{_MAIN}" xmlns:r="{_DOCUMENT}"><bookViews><workbookView '
+        'xWindow="0" yWindow="0" windowWidth="24000" windowHeight="12000"/></bookViews>'
+        f"<sheets>{sheets}</sheets><definedNames>{''.join(names)}</definedNames></workbook>"
+    )
+
+
+def _relations(count: int) -> str:
+    sheets = "".join(
+        f'<Relationship Id="rId{n}" Type="{_DOCUMENT}/worksheet" Target="worksheets/sheet{n}.xml"/>'
+        for n in range(1, count + 1)
+    )
+    return (
+        f'{_HEAD}<Relationships xmlns="{_PACKAGE}/relationships">{sheets}'
+        f'<Relationship Id="rId{count + 1}" Type="{_DOCUMENT}/styles" Target="styles.xml"/>'
+        f'<Relationship Id="rId{count + 2}" Type="{_DOCUMENT}/sharedStrings" '
+        'Target="sharedStrings.xml"/></Relationships>'
+    )
+
+
+def _root_relations() -> str:
+    return (
+        f'{_HEAD}<Relationships xmlns="{_PACKAGE}/relationships">'
+        f'<Relationship Id="rId1" Type="{_DOCUMENT}/officeDocument" Target="xl/workbook.xml"/>'
+        f'<Relationship Id="rId2" Type="{_PACKAGE}/relationships/metadata/core-properties" '
+        'Target="docProps/core.xml"/></Relationships>'
+    )
+
+
+def _core(title: str) -> str:
+    return (
+        f'{_HEAD}<cp:coreProperties xmlns:cp="{_PACKAGE}/metadata/core-properties" '
+        'xmlns:dc="http://purl.org/dc/elements/1.1/">'
+        f"<dc:title>{escape(_NOT_XML.sub(' ', title))}</dc:title></cp:coreProperties>"
+    )
+
+
+def _content_types(count: int) -> str:
+    office = "application/vnd.openxmlformats-officedocument.spreadsheetml"
+    sheets = "".join(
+        f'<Override PartName="/xl/worksheets/sheet{n}.xml" ContentType="{office}.worksheet+xml"/>'
+        for n in range(1, count + 1)
+    )
+    return (
+        f'{_HEAD}<Types xmlns="{_PACKAGE}/content-types"><Default Extension="rels" '
+        'ContentType="application/vnd.openxmlformats-package.relationships+xml"/>'
+        '<Default Extension="xml" ContentType="application/xml"/>'
+        f'<Override PartName="/xl/workbook.xml" ContentType="{office}.sheet.main+xml"/>{sheets}'
+        f'<Override PartName="/xl/styles.xml" ContentType="{office}.styles+xml"/>'
+        f'<Override PartName="/xl/sharedStrings.xml" ContentType="{office}.sharedStrings+xml"/>'
+        '<Override PartName="/docProps/core.xml" '
+        'ContentType="application/vnd.openxmlformats-package.core-properties+xml"/></Types>'
+    )

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Document object Member: sections along an axis, with their cuts, transitions and alignments."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from BendTorsionWB.core import detailing, zones
+from BendTorsionWB.core.finding import BendTorsionError, error
+from BendTorsionWB.core.frames import torsion_angle
+from BendTorsionWB.objects import axis as axis_object
+from BendTorsionWB.objects import section_spec as section_object
+from BendTorsionWB.objects.proxy import Property, Proxy, add_property, linked
+from BendTorsionWB.shapes import brep
+
+_DISTANCE = "App::PropertyDistance"
+
+
+class Member(Proxy):
+    """A member: its outer skin is the shape."""
+
+    TYPE = "Member"
+    PROPERTIES = (
+        Property("App::PropertyLink", "Axis", "Member", "The axis the member follows"),
+        Property("App::PropertyInteger", "Segments", "Member", "Number of segments", 1),
+        Property(_DISTANCE, "OffsetY", "Member", "Offset of the whole member along its breadth",
+                 0.0),
+        Property(_DISTANCE, "OffsetZ", "Member", "Offset of the whole member along its height",
+                 0.0),
+        Property("App::PropertyAngle", "Roll", "Member", "Turn about the axis", 0.0),
+        Property("App::PropertyEnumeration", "TransitionLength", "Member",
+                 "Transition length from the largest step of a face, or from the total change",
+                 "face", zones.TRANSITION_LENGTHS),
+        Property("App::PropertyInteger", "Rank", "Member",
+                 "Where members meet the lower rank runs through", 0),
+        Property("App::PropertyLength", "Length", "Result", "Length of the axis", output=True),
+        Property("App::PropertyAngle", "TotalTorsion", "Result",
+                 "Torsion angle from start to end", output=True),
+        Property("App::PropertyStringList", "Zones", "Result",
+                 "Constant (d) and transition (b) zones with start and end, mm", output=True),
+        Property("App::PropertyStringList", "FaceSteps", "Result",
+                 "Steps of the top, bottom, left and right face at each cut, mm", output=True),
+    )
+
+    def declared(self, obj):
+        count = obj.Segments if "Segments" in obj.PropertiesList else 1
+        return (*self.PROPERTIES, *segment_properties(max(1, count)))
+
+    def onChanged(self, obj, name):
+        """Give each further segment its properties."""
+        if name == "Segments" and "SchemaVersion" in obj.PropertiesList:
+            for declared in segment_properties(obj.Segments):
+                add_property(obj, declared)
+
+    def build(self, obj):
+        geometry = value(obj)
+        member = geometry.member
+        tubes = [[(p.knots, p.poles) for p in tube]
+                 for tube in detailing.member_skins(geometry).tubes]
+        obj.Shape = brep.compound(brep.tube_solids(tubes))
+        obj.Length = member.length
+        obj.TotalTorsion = float(np.degrees(torsion_angle(member.frames)[1][-1]))
+        obj.Zones = [f"{c.label} {c.start:.3f} {c.end:.3f}" for c in member.law.cells]
+        obj.FaceSteps = [
+            f"top {s.top:+.3f} bottom {s.bottom:+.3f} left {s.left:+.3f} right {s.right:+.3f}"
+            for s in member.law.face_steps
+        ]
+        return geometry.findings
+
+
+def segment_properties(count: int) -> tuple[Property, ...]:
+    """The properties of segments 1 … count."""
+    properties = []
+    for k in range(1, count + 1):
+        group = f"Segment {k}"
+        properties.append(Property("App::PropertyLink", f"Section{k}", group, "The section"))
+        if k > 1:
+            properties += [
+                Property(_DISTANCE, f"Cut{k}", group,
+                         "Where the segment starts, from the start of the axis", 0.0),
+                Property("App::PropertyFloat", f"CutRatio{k}", group,
+                         "Where it starts as a part of the length; 0 to use the distance", 0.0),
+                Property("App::PropertyFloat", f"Slope{k}", group,
+                         "Length of the transition per millimetre of step; 0 for a step",
+                         zones.DEFAULT_SLOPE),
+            ]
+        properties += [
+            Property("App::PropertyEnumeration", f"Align{k}", group,
+                     "What lies on the axis, or is flush with the segment before", "centre",
+                     zones.ALIGNMENTS),
+            Property("App::PropertyEnumeration", f"AlignTo{k}", group,
+                     "Align to the axis or to the previous segment", "axis", zones.ALIGN_TO),
+            Property(_DISTANCE, f"OffsetY{k}", group, "Offset along the breadth", 0.0),
+            Property(_DISTANCE, f"OffsetZ{k}", group, "Offset along the height", 0.0),
+        ]
+    return tuple(properties)
+
+
+def value(obj) -> detailing.MemberGeometry:
+    """The core geometry of a Member; raises BendTorsionError for what cannot be built."""
+    if obj.Segments < 1:
+        raise BendTorsionError(
+            error("segments", obj.Label, "a member needs a segment", "set Segments to 1 or more",
+                  value=obj.Segments, limit=1)
+        )
+    target = linked(obj, "Axis", "Axis")
+    axis = axis_object.value(target)
+    segments = tuple(_segment(obj, k) for k in range(1, obj.Segments + 1))
+    given = detailing.MemberInput(
+        obj.Label,
+        segments,
+        obj.OffsetY.Value,
+        obj.OffsetZ.Value,
+        math.radians(obj.Roll.Value),
+        obj.TransitionLength,
+    )
+    return detailing.member_of(given, axis, axis_object.surface_value(target))
+
+
+def _segment(obj, k: int) -> zones.Segment:
+    section = section_object.value(linked(obj, f"Section{k}", "SectionSpec"))
+    cut, ratio, slope = 0.0, 0.0, zones.DEFAULT_SLOPE
+    if k > 1:
+        cut, ratio = getattr(obj, f"Cut{k}").Value, getattr(obj, f"CutRatio{k}")
+        slope = getattr(obj, f"Slope{k}")
+    return zones.Segment(
+        section,
+        ratio or cut,
+        slope,
+        getattr(obj, f"Align{k}"),
+        getattr(obj, f"AlignTo{k}"),
+        getattr(obj, f"OffsetY{k}").Value,
+        getattr(obj, f"OffsetZ{k}").Value,
+        bool(ratio),
+    )

@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What every BendTorsion document object shares: properties, findings, an execute that cannot raise.
+
+An object that raises in `execute` stops its dependants, and FreeCAD leaves them "Up-to-date" with
+stale shapes. So errors become findings and an empty shape, and dependants run and see them.
+"""
+
+from __future__ import annotations
+
+import json
+import traceback
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import FreeCAD
+import Part
+
+from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
+
+SCHEMA_VERSION = 1
+READ_ONLY = 1
+HIDDEN = 4
+FROM_RESTORE_NO_RECOMPUTE = 8
+OUTPUT = 8
+
+
+@dataclass(frozen=True)
+class Property:
+    """A declared property. default: value set when it is created; choices: of an enumeration."""
+
+    type: str
+    name: str
+    group: str
+    tooltip: str
+    default: object = None
+    choices: tuple[str, ...] = ()
+    output: bool = False
+
+
+BASE_PROPERTIES = (
+    Property("App::PropertyString", "Status", "Result", "ok, or the first error", "", output=True),
+    Property(
+        "App::PropertyStringList",
+        "Findings",
+        "Result",
+        "Everything the last recompute found, one record (JSON) per line",
+        output=True,
+    ),
+)
+
+
+class Proxy:
+    """Base of the FeaturePython proxies; holds no state and no object.
+
+    Subclasses name their TYPE and PROPERTIES, and implement `build(obj) -> findings`, which sets
+    the outputs and may raise BendTorsionError, and `clear(obj)`, which empties them.
+    """
+
+    TYPE = ""
+    PROPERTIES: tuple[Property, ...] = ()
+
+    def __init__(self, obj):
+        obj.Proxy = self
+        self.set_up(obj)
+        attach_view(obj)
+
+    def set_up(self, obj) -> None:
+        """Add what is missing; safe to run on new and on restored objects."""
+        present = set(obj.PropertiesList)
+        if "BT_Type" not in present:
+            obj.addProperty(
+                "App::PropertyString", "BT_Type", "Base", "Kind of BendTorsion object",
+                READ_ONLY | HIDDEN,
+            )
+            obj.BT_Type = self.TYPE
+            obj.addProperty(
+                "App::PropertyInteger", "SchemaVersion", "Base", "Version of the saved properties",
+                READ_ONLY | HIDDEN,
+            )
+            obj.SchemaVersion = SCHEMA_VERSION
+        for declared in (*self.declared(obj), *BASE_PROPERTIES):
+            add_property(obj, declared)
+
+    def declared(self, obj) -> Iterable[Property]:
+        """The properties the object has now; more than PROPERTIES where their number varies."""
+        return self.PROPERTIES
+
+    def execute(self, obj) -> None:
+        """Recompute; never raises."""
+        try:
+            findings = tuple(self.build(obj))
+        except BendTorsionError as problem:
+            findings = problem.findings
+        except Exception as problem:  # noqa: BLE001 - the last fence before FreeCAD's recompute
+            FreeCAD.Console.PrintLog(traceback.format_exc())
+            findings = (
+                error(
+                    "internal-error",
+                    obj.Label,
+                    f"unexpected {type(problem).__name__}: {problem}",
+                    "report this with the document",
+                ),
+            )
+        if has_error(findings):
+            self.clear(obj)
+        write_findings(obj, findings)
+
+    def build(self, obj) -> Iterable[Finding]:
+        raise NotImplementedError(f"{type(self).__name__}.build")
+
+    def clear(self, obj) -> None:
+        """Empty every output, so that nothing stale is left to see or to export."""
+        clear_outputs(obj, self.declared(obj))
+
+    def onDocumentRestored(self, obj):
+        """Complete the properties of a file saved by an earlier version; bring the view back."""
+        self.set_up(obj)
+        attach_view(obj)
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def add_property(obj, declared: Property) -> None:
+    """Add a declared property unless the object has it."""
+    if declared.name in obj.PropertiesList:
+        return
+    attributes = READ_ONLY | OUTPUT if declared.output else 0
+    obj.addProperty(declared.type, declared.name, declared.group, declared.tooltip, attributes)
+    if declared.choices:
+        setattr(obj, declared.name, list(declared.choices))
+    if declared.default is not None:
+        setattr(obj, declared.name, declared.default)
+
+
+def clear_outputs(obj, declared: Iterable[Property]) -> None:
+    """Outputs to nothing and, where there is a shape, an empty compound (a null shape would leave
+    drawings of it stale)."""
+    for item in declared:
+        if item.output:
+            if item.type.endswith("List"):
+                setattr(obj, item.name, [])
+            elif item.type == "App::PropertyString":
+                setattr(obj, item.name, "")
+            elif item.type == "App::PropertyInteger":
+                setattr(obj, item.name, 0)
+            else:
+                setattr(obj, item.name, 0.0)
+    if hasattr(obj, "Shape"):
+        obj.Shape = Part.makeCompound([])
+
+
+def write_findings(obj, findings: Iterable[Finding]) -> None:
+    """Keep the findings on the object, and its status."""
+    findings = tuple(findings)
+    obj.Findings = [json.dumps(f.as_dict(), sort_keys=True) for f in findings]
+    errors = [f for f in findings if f.severity == "error"]
+    obj.Status = errors[0].line() if errors else "ok"
+
+
+def findings_of(obj) -> tuple[Finding, ...]:
+    """The findings of an object's last recompute."""
+    return tuple(Finding(**json.loads(text)) for text in obj.Findings)
+
+
+def linked(obj, name: str, kind: str):
+    """The object a link property points to; raises BendTorsionError when it is gone or of
+    another kind (a deleted target silently becomes None)."""
+    target = getattr(obj, name, None)
+    if target is None:
+        raise BendTorsionError(
+            error("link-missing", obj.Label, f"{name} is not set", f"choose a {kind}",
+                  position=f"property {name}")
+        )
+    if getattr(target, "BT_Type", "") != kind:
+        raise BendTorsionError(
+            error("link-kind", obj.Label, f"{name} is not a {kind}", f"choose a {kind}",
+                  position=f"property {name}", value=target.Label)
+        )
+    return target
+
+
+def attach_view(obj) -> None:
+    """Give the object its view provider when there is a window."""
+    if FreeCAD.GuiUp:
+        from BendTorsionWB.gui import view_providers
+
+        view_providers.attach(obj)

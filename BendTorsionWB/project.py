@@ -1,0 +1,375 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A whole project: a schedule computed, its document built and checked, its files written."""
+
+from __future__ import annotations
+
+import json
+import os
+import time
+from collections.abc import Callable, Iterable, Sequence
+from concurrent.futures import Executor, ProcessPoolExecutor
+from contextlib import contextmanager, nullcontext
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from BendTorsionWB import __version__
+from BendTorsionWB.core import detailing
+from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
+from BendTorsionWB.core.lofting import MemberRecord
+from BendTorsionWB.core.sheet_layout import member_sheets
+from BendTorsionWB.exchange import dxf, report, results_workbook
+from BendTorsionWB.exchange.schedule import MemberRow, Schedule, read_schedule
+from BendTorsionWB.exchange.schedule_jobs import job_of, located
+from BendTorsionWB.exchange.whole_file import whole_file, write_whole
+
+MODEL, STEP, RESULTS, REPORT, TIMING = (
+    "model.FCStd", "model.step", "results.xlsx", "report.json", "timing.json",
+)
+
+Progress = Callable[[str, int, int], None]
+"""Called with what is being done, how many are done and how many there are."""
+
+
+def silent(what: str, done: int, count: int) -> None:
+    """Progress for callers that show none."""
+
+
+@dataclass
+class Timing:
+    """Seconds spent in each stage of a build."""
+
+    stages: dict[str, float] = field(default_factory=dict)
+
+    @contextmanager
+    def stage(self, name: str):
+        """Adds the time of a block to a stage."""
+        start = time.perf_counter()
+        try:
+            yield
+        finally:
+            spent = time.perf_counter() - start
+            self.stages[name] = self.stages.get(name, 0.0) + spent
+
+
+@dataclass(frozen=True)
+class BuildResult:
+    """records in schedule order; findings: everything found; timing in seconds per stage."""
+
+    records: tuple[MemberRecord, ...]
+    findings: tuple[Finding, ...]
+    timing: dict[str, float]
+
+    @property
+    def failed(self) -> bool:
+        """True when any member is in error."""
+        return has_error(self.findings)
+
+
+def read_jobs(
+    path: str | os.PathLike, only: Sequence[str] = ()
+) -> tuple[Schedule, dict[str, detailing.MemberJob]]:
+    """The schedule and the jobs of its members (those in `only`, when given); raises
+    BendTorsionError for an invalid schedule or an unknown member."""
+    schedule = read_schedule(path)
+    names = [row.name for row in schedule.members]
+    unknown = [name for name in only if name not in names]
+    if unknown:
+        raise BendTorsionError(
+            error("member-unknown", schedule.file, f"no member {name!r} in the schedule",
+                  "use names of the Members sheet", value=name)
+            for name in unknown
+        )
+    rows = [row for row in schedule.members if not only or row.name in only]
+    return schedule, {row.name: job_of(schedule, row) for row in rows}
+
+
+def compute(
+    schedule: Schedule,
+    jobs: dict[str, detailing.MemberJob],
+    executor: Executor | None = None,
+    progress: Progress = silent,
+) -> dict[str, detailing.DetailedMember]:
+    """All members, through any concurrent.futures executor; the results are also kept in this
+    process's memo. Raises BendTorsionError with every finding located at its cell."""
+    results, faults = {}, []
+    names = list(jobs)
+    found = executor.map(_attempt, jobs.values()) if executor else map(_attempt, jobs.values())
+    for done, (name, outcome) in enumerate(zip(names, found, strict=True), start=1):
+        if isinstance(outcome, detailing.DetailedMember):
+            detailing.adopt(outcome)
+            results[name] = outcome
+        else:
+            row = schedule.member(name)
+            faults += [located(schedule, row, finding) for finding in outcome]
+        progress("members", done, len(names))
+    if faults:
+        raise BendTorsionError(dict.fromkeys(faults))
+    return results
+
+
+def _attempt(job: detailing.MemberJob):
+    try:
+        return detailing.detail(job)
+    except BendTorsionError as problem:
+        return problem.findings
+
+
+def build(
+    path: str | os.PathLike,
+    out: str | os.PathLike,
+    only: Sequence[str] = (),
+    workers: int | None = None,
+    progress: Progress = silent,
+) -> BuildResult:
+    """Build a schedule into a folder: document, STEP, DXF, sheets, workbook, report.
+
+    Raises BendTorsionError, with nothing written, for an invalid schedule (geometry decidable
+    from it included). Members in error keep no files; healthy ones are written whole.
+    """
+    timing = Timing()
+    out = Path(out)
+    with timing.stage("read"):
+        schedule, jobs = read_jobs(path, only)
+    with pool(workers, len(jobs)) as executor:
+        with timing.stage("members"):
+            detailed = compute(schedule, jobs, executor, progress)
+        with timing.stage("clashes"):
+            from BendTorsionWB.shapes.clash import clashes
+
+            findings = clashes({name: item.geometry for name, item in detailed.items()})
+        with timing.stage("document"):
+            document = build_document(schedule, jobs, progress)
+            findings = (*findings, *checked_recompute(document))
+        records = tuple(_record(name, item, findings) for name, item in detailed.items())
+        healthy = tuple(record for record in records if record.plates)
+        former = _former_files(out, records, bool(only))
+        _write(document, schedule, records, healthy, findings, out, executor, timing, progress)
+    with timing.stage("tidy"):
+        for name in former - set(_own_files(healthy)):
+            (out / name).unlink(missing_ok=True)
+    write_whole(out / TIMING, _json({**timing.stages, "total": sum(timing.stages.values())}))
+    return BuildResult(records, tuple(report.all_findings(records, findings)), timing.stages)
+
+
+def pool(workers: int | None, jobs: int):
+    """A process pool for `jobs` members, or a context giving None where one worker will do."""
+    count = min(workers or os.cpu_count() or 1, max(jobs, 1))
+    return ProcessPoolExecutor(count) if count > 1 else nullcontext()
+
+
+def _record(
+    name: str, detailed: detailing.DetailedMember, findings: Iterable[Finding]
+) -> MemberRecord:
+    """A member's record; without plates when the member is in error."""
+    own = tuple(f for f in findings if f.object == name or f.object.startswith(f"{name}-"))
+    if has_error(own):
+        return detailing.failed_record(name, own)
+    return detailed.record
+
+
+def build_document(schedule: Schedule, jobs: dict[str, detailing.MemberJob], progress=silent):
+    """A new document with the objects of the jobs' members, not yet recomputed."""
+    import FreeCAD
+
+    from BendTorsionWB import make
+
+    document = FreeCAD.newDocument("model", hidden=True)
+    surfaces, sections = {}, {}
+    for done, name in enumerate(jobs, start=1):
+        row = schedule.member(name)
+        axis_row = schedule.axis(row.axis)
+        if axis_row.surface not in surfaces:
+            surfaces[axis_row.surface] = _make_surface(make, document, schedule, axis_row.surface)
+        for segment in row.segments:
+            if segment.section not in sections:
+                sections[segment.section] = _make_section(make, document, schedule, segment.section)
+        _make_member(make, document, schedule, row, surfaces[axis_row.surface], sections)
+        progress("objects", done, len(jobs))
+    return document
+
+
+def _make_surface(make, document, schedule: Schedule, name: str):
+    import math
+
+    row = schedule.surface(name)
+    sizes = {
+        key: math.degrees(value) if key == "angle" else value for key, value in row.sizes
+    }
+    return make.make_surface(
+        document, name, row.kind, origin=row.centre, offset=row.offset, flip=row.flip, **sizes
+    )
+
+
+def _make_section(make, document, schedule: Schedule, name: str):
+    row = schedule.section(name)
+    grade = schedule.material(row.material)
+    return make.make_section(
+        document, name, row.type,
+        h=row.h, b=row.b, t=row.t_top,
+        t_top=0.0,
+        t_bottom=row.t_bottom if row.t_bottom != row.t_top else 0.0,
+        t_web=row.t_web if row.t_web != row.t_top else 0.0,
+        gap1=row.gap1, gap2=row.gap2,
+        Material=grade.name, Density=grade.density * 1e9,
+        E=f"{grade.E!r} MPa", fy=f"{grade.fy!r} MPa",
+    )
+
+
+def _make_member(make, document, schedule: Schedule, row: MemberRow, surface, sections) -> None:
+    import math
+
+    settings = schedule.settings
+    axis_row = schedule.axis(row.axis)
+    axis = make.make_axis(
+        document, axis_row.name, surface, axis_row.coordinates(), fit=axis_row.fit,
+        tolerance=settings.axis_tolerance, max_spacing=axis_row.max_spacing or 0.0,
+    )
+    segments = []
+    for segment in row.segments:
+        values = {
+            "align": segment.align, "align_to": segment.align_to,
+            "offset_y": segment.offset_y, "offset_z": segment.offset_z,
+        }
+        if segment.cut is not None:
+            values["cut_ratio" if segment.cut.is_ratio else "cut"] = segment.cut.value
+            values["slope"] = segment.slope
+        segments.append(values)
+    member = make.make_member(
+        document, row.name, axis, [sections[s.section] for s in row.segments], segments,
+        offset_y=row.offset_y, offset_z=row.offset_z, roll=math.degrees(row.roll),
+        transition_length=settings.transition_length, rank=row.rank or 0,
+    )
+    joints = {face: s.joints.values for face, s in schedule.splits_of(row.name).items()}
+    plates = make.make_plates(
+        document, member, joints, station_spacing=settings.station_spacing,
+        rule_pack=settings.rule_pack,
+    )
+    make.make_sheets(document, make.make_unfold(document, plates), settings.project)
+
+
+def checked_recompute(document) -> tuple[Finding, ...]:
+    """Recompute and return the errors of all objects: `recompute` itself never tells."""
+    document.recompute()
+    from BendTorsionWB.objects.proxy import findings_of
+
+    findings = []
+    for obj in document.Objects:
+        if "Findings" in obj.PropertiesList:
+            findings += [f for f in findings_of(obj) if f.severity == "error"]
+        elif not obj.isValid():
+            findings.append(
+                error("object-invalid", obj.Label, obj.getStatusString(), "see the report view")
+            )
+    return tuple(dict.fromkeys(findings))
+
+
+def _write(
+    document, schedule, records, healthy, findings, out: Path, executor, timing: Timing, progress
+) -> None:
+    with timing.stage("dxf"):
+        plates = [plate for record in healthy for plate in record.plates]
+        texts = executor.map(dxf.plate_dxf, plates, chunksize=8) if executor else map(
+            dxf.plate_dxf, plates
+        )
+        for done, (plate, text) in enumerate(zip(plates, texts, strict=True), start=1):
+            write_whole(out / report.dxf_name(plate.mark), text)
+            progress("cut files", done, len(plates))
+    with timing.stage("sheets"):
+        pages = [
+            (record, schedule.settings.project, out / report.sheet_name(record.member))
+            for record in healthy
+        ]
+        written = executor.map(_write_sheets, pages) if executor else map(_write_sheets, pages)
+        for done, _ in enumerate(written, start=1):
+            progress("sheets", done, len(healthy))
+    with timing.stage("step"):
+        progress("model", 0, 2)
+        write_step(document, [record.member for record in healthy], out / STEP)
+    with timing.stage("save"):
+        progress("model", 1, 2)
+        save(document, out / MODEL)
+        progress("model", 2, 2)
+    with timing.stage("results"):
+        results_workbook.write_results(
+            records, findings, out / RESULTS, schedule.settings.project
+        )
+        report.write_report(records, findings, __version__, out / REPORT)
+
+
+def _write_sheets(given: tuple[MemberRecord, str, Path]) -> None:
+    from BendTorsionWB.sheets.pdf import write_pdf
+
+    record, project, path = given
+    path.parent.mkdir(parents=True, exist_ok=True)
+    write_pdf(member_sheets(record, project), path)
+
+
+def _own_files(healthy: Iterable[MemberRecord]) -> list[str]:
+    names = []
+    for record in healthy:
+        names.append(report.sheet_name(record.member))
+        names += [report.dxf_name(plate.mark) for plate in record.plates]
+    return names
+
+
+def _former_files(out: Path, records: Sequence[MemberRecord], partial: bool) -> set[str]:
+    """Files of the build before this one in the folder, as its report lists them; with a partial
+    build only those of the members built now."""
+    try:
+        former = json.loads((out / REPORT).read_text(encoding="utf-8"))["members"]
+        now = {record.member for record in records}
+        members = [m for m in former if not partial or m["member"] in now]
+        names = {plate["dxf"] for member in members for plate in member["plates"]}
+        names |= {report.sheet_name(member["member"]) for member in members}
+    except (OSError, ValueError, KeyError, TypeError):
+        return set()
+    inside = out.resolve()
+    return {n for n in names if isinstance(n, str) and inside in (out / n).resolve().parents}
+
+
+def write_step(document, members: Sequence[str], path: Path) -> None:
+    """STEP of the members' plates; raises BendTorsionError naming a member in error."""
+    import Import
+
+    wanted = set(members)
+    sets = [
+        obj
+        for obj in document.Objects
+        if getattr(obj, "BT_Type", "") == "PlateSet" and obj.Member and obj.Member.Label in wanted
+    ]
+    refused = [obj for obj in sets if obj.Status != "ok"]
+    if refused:
+        raise BendTorsionError(
+            error("export-refused", obj.Label, "is in error and is not exported", "mend it first")
+            for obj in refused
+        )
+    with whole_file(path) as part:
+        Import.export(sets, str(part))
+        part.write_bytes(_timeless_step(part.read_bytes(), path.name))
+
+
+def _timeless_step(content: bytes, name: str) -> bytes:
+    """The header's file name and time stamp replaced, so that equal models are equal files."""
+    import re
+
+    header, separator, rest = content.partition(b"DATA;")
+    header = re.sub(
+        rb"FILE_NAME\(.*?\);",
+        f"FILE_NAME('{name}','1970-01-01T00:00:00',(''),(''),'BendTorsion {__version__}',"
+        f"'FreeCAD','');".encode(),
+        header,
+        flags=re.DOTALL,
+    )
+    return header + separator + rest
+
+
+def save(document, path: Path) -> None:
+    """Save a document whole or not at all."""
+    with whole_file(path) as part:
+        document.saveCopy(str(part))
+
+
+def _json(content: dict) -> bytes:
+    return (json.dumps(content, indent=1) + "\n").encode()
+
+

@@ -1,0 +1,324 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tubes (plates, box skins, bars) as exact Part solids, written as B-rep text and parsed.
+
+A *tube* is a ring of m >= 3 rails that run together over one or more smooth pieces:
+
+    [(knots, poles), ...]    knots (n + 4,) flat, cubic, clamped; poles (m, n, 3) in mm
+
+The rails of a piece share its knots; a piece starts on the end poles of the one before (the
+fold). Between rail j and rail j + 1 the face is ruled: degree 3 along, 1 across. The first and
+last ring are the section planes of the ends. A plate has m = 4: outer first, outer second, inner
+second, inner first edge. Either sense of the ring will do; faces always look outwards.
+
+Faces of a solid come in this order: piece by piece, in each rail by rail (face j between rails j
+and j + 1), then the start cap, then the end cap: m * pieces + 2 in all. Edges, vertices and poles
+are shared. Tubes closed along s are not made here.
+
+The text is Open CASCADE's ASCII form ("BRep Format" in its documentation), version 1. Nothing is
+fitted, sewn or paired by the kernel, so that what was computed is what is built.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import FreeCAD  # noqa: F401  (Part needs it loaded first)
+import numpy as np
+import Part
+
+from BendTorsionWB.core.finding import BendTorsionError, error
+
+TOLERANCE = 1e-7
+"""mm: of vertices, edges and faces as written (the kernel's own confusion distance)."""
+
+PLANE_TOLERANCE = 1e-8
+"""mm: corners of an end this near to their mean plane make a plane cap."""
+
+_VERTEX = "Ve\n1e-07\n%s\n0 0\n\n0101101\n*\n"
+_EDGE = "Ed\n 1e-07 1 1 0\n1 %d 0 %s\n%s0\n\n0101000\n+%d 0 -%d 0 *\n"
+_WIRE = "Wi\n\n0101100\n%s*\n"
+_FACE = "Fa\n0 1e-07 %d 0\n\n0101000\n+%d 0 *\n"
+_SHELL = "Sh\n\n0101100\n%s*\n"
+_SOLID = "So\n\n1100000\n+%d 0 *\n"
+_COMPOUND = "Co\n\n1100000\n%s*\n"
+
+_YZX, _ZXY = (1, 2, 0), (2, 0, 1)
+
+Piece = tuple[np.ndarray, np.ndarray]
+
+
+def tube_text(pieces: Sequence[Piece]) -> str:
+    """The tube's solid as B-rep text. Raises as `tube_solid`."""
+    text = _Text(_shape_count(pieces))
+    text.tube(pieces, "tube")
+    return text.whole()
+
+
+def tube_solid(pieces: Sequence[Piece]) -> Part.Solid:
+    """The tube's solid, faces in the order the module names.
+
+    pieces: [(knots (n + 4,), poles (m, n, 3)), ...]. ValueError when the arrays do not have this
+    form, BendTorsionError when rails meet, pieces part, the tube has no volume, or a cap that is
+    not a quadrilateral is not plane.
+    """
+    return _solids(tube_text(pieces))[0]
+
+
+def tube_solids(tubes: Sequence[Sequence[Piece]]) -> list[Part.Solid]:
+    """The solids of many tubes, parsed as one text. Errors as `tube_solid`, naming `tube k`."""
+    if not tubes:
+        return []
+    text = _Text(sum(map(_shape_count, tubes)) + 1)
+    solids = [text.tube(pieces, f"tube {k}") for k, pieces in enumerate(tubes, 1)]
+    text.shape(_COMPOUND % "".join(f"+{solid} 0 " for solid in solids))
+    return _solids(text.whole())
+
+
+def compound(shapes: Iterable[Part.Shape]) -> Part.Compound:
+    """The shapes, in their order, as one compound."""
+    return Part.Compound(list(shapes))
+
+
+def empty() -> Part.Compound:
+    """A compound of nothing: what an object in error shows (a null shape leaves views stale)."""
+    return Part.Compound([])
+
+
+def _solids(text: str) -> list[Part.Solid]:
+    shape = Part.Shape()
+    shape.importBrepFromString(text, False)
+    return shape.Solids
+
+
+def _shape_count(pieces: Sequence[Piece]) -> int:
+    """Vertices, edges, wires, faces, shell and solid of a tube."""
+    rails, spans = len(pieces[0][1]), len(pieces)
+    return 2 * rails * (spans + 1) + 3 * rails * spans + 6
+
+
+class _Text:
+    """The tables of one B-rep text. Shapes are numbered downwards from their total."""
+
+    def __init__(self, total: int):
+        self.total = total
+        self.pcurves, self.curves, self.surfaces, self.shapes = [], [], [], []
+
+    def whole(self) -> str:
+        return "".join([
+            "\nCASCADE Topology V1, (c) Matra-Datavision\nLocations 0\n",
+            f"Curve2ds {len(self.pcurves)}\n", *self.pcurves,
+            f"Curves {len(self.curves)}\n", *self.curves,
+            "Polygon3D 0\nPolygonOnTriangulations 0\n",
+            f"Surfaces {len(self.surfaces)}\n", *self.surfaces,
+            f"Triangulations 0\n\nTShapes {self.total}\n", *self.shapes,
+            "\n+1 0 \n",
+        ])
+
+    def shape(self, text: str) -> int:
+        self.shapes.append(text)
+        return self.total - len(self.shapes) + 1
+
+    def surface(self, text: str) -> int:
+        self.surfaces.append(text)
+        return len(self.surfaces)
+
+    def edge(self, curve: str, limits: str, traces: list, start: int, end: int) -> int:
+        """traces: (pcurve text, surface number) on each face the edge bounds."""
+        self.curves.append(curve)
+        lines = []
+        for pcurve, surface in traces:
+            self.pcurves.append(pcurve)
+            lines.append(f"2 {len(self.pcurves)} {surface} 0 {limits}\n")
+        return self.shape(_EDGE % (len(self.curves), limits, "".join(lines), start, end))
+
+    def face(self, surface: int, wire: str) -> int:
+        return self.shape(_FACE % (surface, self.shape(_WIRE % wire)))
+
+    def tube(self, pieces: Sequence[Piece], name: str) -> int:
+        """Append one tube; its solid's number."""
+        pieces = _checked(pieces, name)
+        rings = np.stack([pieces[0][1][:, 0]] + [poles[:, -1] for _, poles in pieces])
+        outwards = _handedness(pieces, name) < 0
+        count = rings.shape[1]
+        following = [*range(1, count), 0]
+        steps = rings[:, following] - rings
+        lengths = np.sqrt(np.einsum("kjx,kjx->kj", steps, steps))
+        if lengths.min() <= TOLERANCE:
+            k, j = np.argwhere(lengths <= TOLERANCE)[0]
+            raise BendTorsionError(error(
+                "solid-rails-meet", name, "two neighbouring edges of the solid meet",
+                "give the plate a breadth and a thickness there",
+                position=f"ring {k + 1}, rails {j + 1} and {following[j] + 1}",
+                value=float(lengths[k, j]), limit=TOLERANCE, unit="mm",
+            ))
+        directions = steps / lengths[..., None]
+
+        # Surfaces come first: edges name those they bound.
+        built = [self.piece(knots, poles, following) for knots, poles in pieces]
+        rails, faces = zip(*built, strict=True)
+        spans = [(float(knots[0]), float(knots[-1])) for knots, _ in pieces]
+        ends = [0, len(pieces)]
+        caps = self.caps(rings[ends], lengths[ends], directions[ends], name)
+        caps = dict(zip(ends, caps, strict=True))
+
+        texts = [[" ".join(map(repr, point)) for point in ring] for ring in rings.tolist()]
+        vertices = [[self.shape(_VERTEX % point) for point in ring] for ring in texts]
+        across = []
+        for k, ring in enumerate(vertices):
+            row = []
+            for j, length in enumerate(lengths[k].tolist()):
+                traces = []
+                if k > 0:
+                    u = spans[k - 1][1]
+                    traces.append((_trace(u, 0, u, 1, length), faces[k - 1][j]))
+                if k < len(pieces):
+                    u = spans[k][0]
+                    traces.append((_trace(u, 0, u, 1, length), faces[k][j]))
+                if k in caps:
+                    traces.append((caps[k][1][j], caps[k][0]))
+                line = f"1 {texts[k][j]} {' '.join(map(repr, directions[k, j].tolist()))}\n"
+                row.append(self.edge(line, f"0 {length!r}", traces, ring[j], ring[following[j]]))
+            across.append(row)
+        along = [
+            [
+                self.edge(
+                    rails[k][j], f"{u0!r} {u1!r}",
+                    [("1 0 0 1 0\n", faces[k][j]), ("1 0 1 1 0\n", faces[k][j - 1])],
+                    vertices[k][j], vertices[k + 1][j],
+                )
+                for j in range(count)
+            ]
+            for k, (u0, u1) in enumerate(spans)
+        ]
+        sides = [
+            self.face(
+                faces[k][j],
+                f"+{along[k][j]} 0 +{across[k + 1][j]} 0 "
+                f"-{along[k][following[j]]} 0 -{across[k][j]} 0 ",
+            )
+            for k in range(len(pieces)) for j in range(count)
+        ]
+        start, end = [
+            self.face(caps[k][0], "".join(f"+{edge} 0 " for edge in across[k])) for k in caps
+        ]
+        side, other = ("+", "-") if outwards else ("-", "+")
+        shell = "".join(f"{side}{face} 0 " for face in (*sides, start)) + f"{other}{end} 0 "
+        return self.shape(_SOLID % self.shape(_SHELL % shell))
+
+    def piece(self, knots, poles, following) -> tuple[list[str], list[int]]:
+        """A piece's rail curve texts and surface numbers."""
+        values, counts = np.unique(knots, return_counts=True)
+        pairs = zip(values.tolist(), counts.tolist(), strict=True)
+        table = "".join(map("%r %d\n".__mod__, pairs))
+        count, n, _ = poles.shape
+        points = list(map("%.17g %.17g %.17g ".__mod__, map(tuple, poles.reshape(-1, 3).tolist())))
+        lines = [points[j * n:(j + 1) * n] for j in range(count)]
+        curve = f"7 0 0 3 {n} {len(values)} %s\n{table}"
+        surface = f"9 0 0 0 0 3 1 {n} 2 {len(values)} 2 %s\n{table}0 2\n1 2\n"
+        return [curve % "".join(line) for line in lines], [
+            self.surface(surface % "".join(map(str.__add__, line, lines[following[j]])))
+            for j, line in enumerate(lines)
+        ]
+
+    def caps(self, rings, lengths, directions, name) -> list[tuple[int, list[str]]]:
+        """Of both ends: the surface's number, and the pcurve texts of its edges, all round."""
+        origins = rings.mean(1)
+        centred = rings - origins[:, None]
+        normals = _area_vector(centred)
+        areas = np.sqrt(np.einsum("kx,kx->k", normals, normals))
+        if (areas <= TOLERANCE * lengths.sum(1)).any():
+            raise BendTorsionError(error(
+                "solid-end-without-area", name, "an end of the solid has no area",
+                "give the plate a breadth and a thickness there",
+                value=float(areas.min()), unit="mm²",
+            ))
+        normals = normals / areas[:, None]
+        heights = np.einsum("kjx,kx->kj", centred, normals)
+        # The projections of the corners on the mean plane: x towards the second one.
+        x = directions[:, 0] - np.einsum("kx,kx->k", directions[:, 0], normals)[:, None] * normals
+        x = x / np.sqrt(np.einsum("kx,kx->k", x, x))[:, None]
+        y = (normals[:, _YZX] * x[:, _ZXY]) - (normals[:, _ZXY] * x[:, _YZX])
+        axes = np.stack([x, y], axis=2)
+        frames = np.concatenate([origins, normals, x, y], axis=1).tolist()
+        lines = np.concatenate([centred @ axes, directions @ axes], axis=2).tolist()
+        out = []
+        for ring, frame, line, sides, height in zip(
+            rings.tolist(), frames, lines, lengths.tolist(), np.abs(heights).max(1).tolist(),
+            strict=True,
+        ):
+            if height <= PLANE_TOLERANCE:
+                surface = f"1 {' '.join(map(repr, frame))}\n"
+                traces = [f"1 {' '.join(map(repr, values))}\n" for values in line]
+            elif len(ring) == 4:
+                a, b, c, d = (" ".join(map(repr, point)) for point in ring)
+                surface = f"9 0 0 0 0 1 1 2 2 2 2 {a} {d} {b} {c}\n0 2\n1 2\n0 2\n1 2\n"
+                turns = ((0, 0, 1, 0), (1, 0, 1, 1), (1, 1, 0, 1), (0, 1, 0, 0))
+                traces = [_trace(*turn, side) for turn, side in zip(turns, sides, strict=True)]
+            else:
+                raise BendTorsionError(error(
+                    "solid-end-not-plane", name, "the corners of an end do not lie in one plane",
+                    "end the rails in one plane", value=height, limit=PLANE_TOLERANCE, unit="mm",
+                ))
+            out.append((self.surface(surface), traces))
+        return out
+
+
+def _trace(u0: float, v0: float, u1: float, v1: float, length: float) -> str:
+    """The straight pcurve from (u0, v0) to (u1, v1), run through by lengths 0 … length."""
+    return f"7 0 0 1 2 2 {u0!r} {v0!r} {u1!r} {v1!r}\n0 2\n{length!r} 2\n"
+
+
+def _checked(pieces: Sequence[Piece], name: str) -> list[Piece]:
+    """The pieces as float arrays, each started on the end of the one before."""
+    out = []
+    for k, (knots, poles) in enumerate(pieces, 1):
+        knots, poles = np.asarray(knots, float), np.asarray(poles, float)
+        if poles.ndim != 3 or poles.shape[0] < 3 or poles.shape[1] < 4 or poles.shape[2] != 3:
+            raise ValueError(f"{name}, piece {k}: poles {poles.shape} are not (>= 3, >= 4, 3)")
+        if knots.shape != (poles.shape[1] + 4,):
+            raise ValueError(f"{name}, piece {k}: knots {knots.shape} do not fit {poles.shape}")
+        if not (np.isfinite(knots).all() and np.isfinite(poles).all()):
+            raise ValueError(f"{name}, piece {k}: knots or poles are not finite")
+        if (
+            (np.diff(knots) < 0).any() or knots[0] != knots[3] or knots[-1] != knots[-4]
+            or (knots[4:-2] == knots[2:-4]).any()
+        ):
+            raise ValueError(f"{name}, piece {k}: knots are not cubic, clamped and smooth inside")
+        if out:
+            last = out[-1][1]
+            if len(last) != len(poles):
+                raise ValueError(f"{name}, piece {k}: {len(poles)} rails after {len(last)}")
+            gap = float(np.abs(last[:, -1] - poles[:, 0]).max())
+            if gap > TOLERANCE:
+                raise BendTorsionError(error(
+                    "solid-pieces-apart", name, "a piece does not start where the last one ends",
+                    "build neighbouring pieces on the same end points",
+                    position=f"piece {k}", value=gap, limit=TOLERANCE, unit="mm",
+                ))
+            if gap:
+                poles = poles.copy()
+                poles[:, 0] = last[:, -1]
+        out.append((knots, poles))
+    return out
+
+
+def _area_vector(rings: np.ndarray) -> np.ndarray:
+    """½ Σ p_j × p_(j+1) over rings (..., m, 3): area times the normal the ring turns about."""
+    products = rings.swapaxes(-1, -2) @ np.concatenate([rings[..., 1:, :], rings[..., :1, :]], -2)
+    return 0.5 * (products - products.swapaxes(-1, -2))[..., _YZX, _ZXY]
+
+
+def _handedness(pieces: Sequence[Piece], name: str) -> float:
+    """∫ A · dc along the rings of poles: about the volume, > 0 when they turn about +s."""
+    rings = np.concatenate([poles for _, poles in pieces], axis=1).swapaxes(0, 1)
+    centres = rings.mean(1)
+    areas = _area_vector(rings - centres[:, None])
+    steps = centres[1:] - centres[:-1]
+    volume = float(0.5 * np.einsum("ix,ix->", areas[1:] + areas[:-1], steps))
+    limit = TOLERANCE * float(np.ptp(centres, axis=0).max() * np.ptp(rings[0], axis=0).max())
+    if abs(volume) <= limit:
+        raise BendTorsionError(error(
+            "solid-without-volume", name, "the solid has no volume", "check breadth and thickness",
+            value=volume, limit=limit, unit="mm³",
+        ))
+    return volume

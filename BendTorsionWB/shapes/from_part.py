@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Part faces and edges as exact core surfaces and curves."""
+
+from __future__ import annotations
+
+import math
+
+import FreeCAD  # noqa: F401  Part crashes the interpreter when it is loaded before FreeCAD
+import numpy as np
+import Part
+
+from ..core.curve import Curve
+from ..core.finding import BendTorsionError, error
+from ..core.nurbs import NurbsPatch
+from ..core.patches import PatchSurface
+
+# Ends of edges that meet in a chain, mm.
+CHAIN_GAP = 1e-3
+# A face's range this near to its surface's, relative, is the whole range.
+_RANGE = 1e-9
+
+
+def surface_from_part(shape: Part.Shape, object: str = "surface") -> PatchSurface:
+    """All faces of a shape as one surface, exactly, oriented by `PatchSurface`'s rule.
+
+    Wires are not regarded: each face counts with its whole u, v rectangle. object: name used in
+    findings. Raises BendTorsionError for a shape without faces.
+    """
+    if shape is None or shape.isNull() or not shape.Faces:
+        raise BendTorsionError(
+            error("no-face", object, "the shape has no faces", "choose a face, shell or solid")
+        )
+    patches = tuple(
+        patch_from_face(face, object, f"Face{k + 1}") for k, face in enumerate(shape.Faces)
+    )
+    return PatchSurface(patches)
+
+
+def patch_from_face(face: Part.Face, object: str = "surface", position: str = "") -> NurbsPatch:
+    """One face as a patch over its u, v range, non-periodic, sense by the face's orientation."""
+    try:
+        converted = face.toNurbs().Faces[0]
+        surface = converted.Surface
+        u0, u1, v0, v1 = converted.ParameterRange
+        if not all(map(math.isfinite, (u0, u1, v0, v1))) or max(map(abs, (u0, u1, v0, v1))) > 1e99:
+            raise ValueError("the face is unbounded")
+        wanted = np.array([[u0, u1], [v0, v1]])
+        bounds = np.reshape(surface.bounds(), (2, 2))
+        extent = np.ptp(bounds, axis=1)[:, None]
+        # Ends within rounding of the surface's own would be refused by `segment`.
+        wanted = np.where(np.abs(wanted - bounds) <= _RANGE * extent, bounds, wanted)
+        full = np.ptp(wanted, axis=1) >= (1 - _RANGE) * extent[:, 0]
+        wanted[full] = bounds[full]
+        if not full.all():
+            surface.segment(*wanted.ravel())
+        surface.setUNotPeriodic()
+        surface.setVNotPeriodic()
+        poles = np.array([[tuple(p) for p in row] for row in surface.getPoles()], float)
+        weights = np.array(surface.getWeights(), float)
+    except (Part.OCCError, RuntimeError, ValueError, AttributeError, IndexError) as problem:
+        raise BendTorsionError(
+            error("face-conversion", object, f"the face is no usable surface: {problem}",
+                  "rebuild the face or choose another", position=position)
+        ) from problem
+    return NurbsPatch(
+        surface.UDegree,
+        surface.VDegree,
+        np.repeat(surface.getUKnots(), surface.getUMultiplicities()).astype(float),
+        np.repeat(surface.getVKnots(), surface.getVMultiplicities()).astype(float),
+        poles,
+        None if np.ptp(weights) == 0 else weights,
+        -1 if converted.Orientation == "Reversed" else 1,
+    )
+
+
+def curve_from_part(shape: Part.Shape, object: str = "axis") -> Curve:
+    """An edge, a wire or a compound of edges that form one open or closed chain, exactly.
+
+    The direction is that of the edge, or of the chain as Part sorts it. Several edges give one
+    curve of their highest degree with a full knot at each joint; its parameter is about arc
+    length. Raises BendTorsionError for no edges, several chains or a branch.
+    """
+    if shape is None or shape.isNull() or not shape.Edges:
+        raise BendTorsionError(
+            error("no-edge", object, "the shape has no edges", "choose an edge or a wire")
+        )
+    edges = [edge for edge in shape.Edges if not edge.Degenerated]
+    if len(edges) == 1:
+        return _core_curve(_spline(edges[0], object, "Edge1"))
+    chains = Part.sortEdges(edges)
+    if len(chains) != 1:
+        raise BendTorsionError(
+            error("edge-chain", object, f"the edges form {len(chains)} chains, not one",
+                  "select single edges, or edges that meet end to end", value=len(chains), limit=1)
+        )
+    splines = [_spline(edge, object, f"Edge{k + 1}") for k, edge in enumerate(chains[0])]
+    degree = max(spline.Degree for spline in splines)
+    for spline in splines:
+        spline.increaseDegree(degree)
+    curves = [_core_curve(spline) for spline in splines]
+    return _joined(curves, [spline.length() for spline in splines], object)
+
+
+def _spline(edge: Part.Edge, object: str, position: str) -> Part.BSplineCurve:
+    """The edge's own piece of its curve, in the edge's direction, not periodic."""
+    try:
+        converted = edge.toNurbs().Edges[0]
+        spline = converted.Curve
+        if not isinstance(spline, Part.BSplineCurve):
+            spline = spline.toBSpline(*converted.ParameterRange)
+        first, last = converted.ParameterRange
+        low, high = spline.FirstParameter, spline.LastParameter
+        if abs(first - low) > 1e-12 * (high - low) or abs(last - high) > 1e-12 * (high - low):
+            spline.segment(first, last)
+        if spline.isPeriodic():
+            spline.setNotPeriodic()
+    except (Part.OCCError, RuntimeError, ValueError, AttributeError, IndexError) as problem:
+        raise BendTorsionError(
+            error("edge-conversion", object, f"the edge is no usable curve: {problem}",
+                  "rebuild the edge or choose another", position=position)
+        ) from problem
+    if edge.Orientation == "Reversed":
+        spline.reverse()
+    return spline
+
+
+def _core_curve(spline: Part.BSplineCurve) -> Curve:
+    weights = np.array(spline.getWeights(), float)
+    return Curve(
+        spline.Degree,
+        np.repeat(spline.getKnots(), spline.getMultiplicities()).astype(float),
+        np.array([tuple(pole) for pole in spline.getPoles()], float),
+        None if np.ptp(weights) == 0 else weights,
+    )
+
+
+def _joined(curves: list[Curve], lengths: list[float], object: str) -> Curve:
+    """Curves of one degree, end to end, as one curve; a curve is turned where its end meets."""
+    degree = curves[0].degree
+    start, end = curves[0].poles[0], curves[0].poles[-1]
+    ends = curves[1].poles[[0, -1]]
+    if np.linalg.norm(ends - end, axis=1).min() > np.linalg.norm(ends - start, axis=1).min():
+        curves = [_turned(curves[0]), *curves[1:]]
+    knots, poles, weights = [np.zeros(degree + 1)], [], []
+    place = 0.0
+    for k, (curve, length) in enumerate(zip(curves, lengths, strict=True)):
+        if k:
+            gaps = np.linalg.norm(curve.poles[[0, -1]] - poles[-1][-1], axis=1)
+            if gaps.min() > CHAIN_GAP:
+                raise BendTorsionError(
+                    error("edge-chain", object, "the edges do not meet end to end",
+                          "close the gap or select single edges", position=f"Edge{k + 1}",
+                          value=float(gaps.min()), limit=CHAIN_GAP, unit="mm")
+                )
+            if gaps[1] < gaps[0]:
+                curve = _turned(curve)
+        first, last = curve.domain
+        own = (curve.knots[degree + 1 : -degree - 1] - first) * length / (last - first)
+        weight = np.ones(len(curve.poles)) if curve.weights is None else curve.weights
+        if k:
+            weight = weight * (weights[-1][-1] / weight[0])
+        place_next = place + length
+        full = degree + 1 if k == len(curves) - 1 else degree
+        knots += [place + own, np.full(full, place_next)]
+        poles.append(curve.poles if k == 0 else curve.poles[1:])
+        weights.append(weight if k == 0 else weight[1:])
+        place = place_next
+    weight = np.concatenate(weights)
+    return Curve(degree, np.concatenate(knots), np.concatenate(poles),
+                 None if np.ptp(weight) == 0 else weight)
+
+
+def _turned(curve: Curve) -> Curve:
+    first, last = curve.domain
+    return Curve(
+        curve.degree,
+        first + last - curve.knots[::-1],
+        curve.poles[::-1],
+        None if curve.weights is None else curve.weights[::-1],
+    )

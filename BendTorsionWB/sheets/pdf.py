@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sheets as one vector PDF with searchable text, painted by Qt without FreeCAD's window."""
+
+from __future__ import annotations
+
+import os
+import re
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+from ..core.finding import BendTorsionError, error
+from ..core.sheet import CAP_HEIGHT, FONT_FAMILY, LINE_STYLES, Polyline, Sheet, Text
+
+RESOLUTION = 1200  # dots per inch; page coordinates are mapped to these dots
+DOTS_PER_MM = RESOLUTION / 25.4
+FAMILIES = (FONT_FAMILY, "Liberation Sans")
+
+_application = None
+
+
+def write_pdf(sheets: Sequence[Sheet], path: str | Path) -> None:
+    """Write the sheets as pages of one PDF, 1:1 in mm; the same sheets give the same bytes.
+
+    The file appears whole or not at all. BendTorsionError when Qt for Python or a font is
+    missing; OSError when the file cannot be written.
+    """
+    path = Path(path)
+    if not sheets:
+        raise ValueError("a PDF needs at least one sheet")
+    qt_core, qt_gui = start_qt()
+    handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+    os.close(handle)
+    try:
+        _paint(qt_core, qt_gui, sheets, temporary)
+        data = Path(temporary).read_bytes()
+        Path(temporary).write_bytes(_without_time(data))
+        os.chmod(temporary, 0o644)
+        os.replace(temporary, path)
+    except BaseException:
+        os.unlink(temporary)
+        raise
+
+
+def start_qt():
+    """QtCore and QtGui of PySide2 or PySide6, with a running QGuiApplication.
+
+    Called before TechDraw pages are made, it also keeps FreeCAD without a window from remarking on
+    the missing application for every page. BendTorsionError as for write_pdf.
+    """
+    global _application
+    try:
+        from PySide2 import QtCore, QtGui
+    except ImportError:
+        try:
+            from PySide6 import QtCore, QtGui
+        except ImportError:
+            raise BendTorsionError(
+                error(
+                    "qt-missing",
+                    "sheets",
+                    "PDF sheets need Qt for Python, which is not installed",
+                    "on Debian run 'apt-get install python3-pyside2.qtgui', use /usr/bin/python3",
+                )
+            ) from None
+    running = QtCore.QCoreApplication.instance()
+    if running is None:
+        # A named platform plug-in: no display is needed, and none is looked for. Qt's remarks on
+        # a missing session directory are kept from the console.
+        previous = QtCore.qInstallMessageHandler(lambda *_: None)
+        _application = QtGui.QGuiApplication(["BendTorsion", "-platform", "offscreen"])
+        QtCore.qInstallMessageHandler(previous)
+    elif not isinstance(running, QtGui.QGuiApplication):
+        raise BendTorsionError(
+            error(
+                "qt-console-application",
+                "sheets",
+                "this process runs a Qt application without fonts, so PDF cannot be painted",
+                "write the PDF from the command line: python3 -m BendTorsionWB build",
+            )
+        )
+    return QtCore, QtGui
+
+
+def _paint(qt_core, qt_gui, sheets: Sequence[Sheet], path: str) -> None:
+    family = _family(qt_gui)
+    writer = qt_gui.QPdfWriter(path)
+    writer.setResolution(RESOLUTION)
+    writer.setTitle(sheets[0].title)
+    writer.setCreator("BendTorsion")
+    painter = qt_gui.QPainter()
+    try:
+        for sheet in sheets:
+            writer.setPageLayout(_page_layout(qt_core, qt_gui, sheet))
+            if painter.isActive():
+                writer.newPage()
+            elif not painter.begin(writer):
+                raise OSError(f"Qt cannot write {path}")
+            for view in sheet.views:
+                for line in view.on_page():
+                    _draw_line(qt_core, qt_gui, painter, sheet, line)
+            for line in sheet.all_lines():
+                _draw_line(qt_core, qt_gui, painter, sheet, line)
+            for text in sheet.all_texts():
+                if text.text.strip():
+                    _draw_text(qt_core, qt_gui, painter, sheet, text, family)
+    finally:
+        # A painter that outlives its device crashes the process.
+        painter.end()
+
+
+def _page_layout(qt_core, qt_gui, sheet: Sheet):
+    size = qt_gui.QPageSize(
+        qt_core.QSizeF(sheet.width, sheet.height),
+        qt_gui.QPageSize.Millimeter,
+        "",
+        qt_gui.QPageSize.ExactMatch,
+    )
+    return qt_gui.QPageLayout(
+        size, qt_gui.QPageLayout.Portrait, qt_core.QMarginsF(0.0, 0.0, 0.0, 0.0)
+    )
+
+
+def _family(qt_gui) -> str:
+    known = set(qt_gui.QFontDatabase().families())
+    family = next((name for name in FAMILIES if name in known), None)
+    if family is None:
+        raise BendTorsionError(
+            error(
+                "font-missing",
+                "sheets",
+                f"none of the fonts {', '.join(FAMILIES)} is installed",
+                "on Debian run 'apt-get install fonts-dejavu-core'",
+            )
+        )
+    return family
+
+
+def _draw_line(qt_core, qt_gui, painter, sheet: Sheet, line: Polyline) -> None:
+    width, dashes = LINE_STYLES[line.style]
+    pen = qt_gui.QPen(qt_core.Qt.black)
+    pen.setWidthF(width * DOTS_PER_MM)
+    pen.setCapStyle(qt_core.Qt.FlatCap if dashes else qt_core.Qt.RoundCap)
+    pen.setJoinStyle(qt_core.Qt.RoundJoin)
+    if dashes:
+        pen.setDashPattern([dash / width for dash in dashes])
+    painter.setPen(pen)
+    points = [
+        qt_core.QPointF(x * DOTS_PER_MM, (sheet.height - y) * DOTS_PER_MM) for x, y in line.points
+    ]
+    painter.drawPolyline(qt_gui.QPolygonF(points))
+
+
+def _draw_text(qt_core, qt_gui, painter, sheet: Sheet, text: Text, family: str) -> None:
+    font = qt_gui.QFont(family)
+    font.setPixelSize(round(text.height / CAP_HEIGHT * DOTS_PER_MM))
+    font.setHintingPreference(qt_gui.QFont.PreferNoHinting)
+    # Any letter spacing turns ligatures off, which would not be found by a search.
+    font.setLetterSpacing(qt_gui.QFont.AbsoluteSpacing, 0.04)
+    painter.setFont(font)
+    painter.setPen(qt_gui.QPen(qt_core.Qt.black))
+    width = qt_gui.QFontMetricsF(font, painter.device()).horizontalAdvance(text.text)
+    left = -width * {"start": 0.0, "middle": 0.5, "end": 1.0}[text.anchor]
+    painter.save()
+    painter.translate(text.x * DOTS_PER_MM, (sheet.height - text.y) * DOTS_PER_MM)
+    painter.rotate(-text.angle)
+    painter.drawText(qt_core.QPointF(left, 0.0), text.text)
+    painter.restore()
+
+
+def _without_time(data: bytes) -> bytes:
+    """The PDF with a constant creation time, its cross-reference table put right.
+
+    Qt writes local time, whose text is longer with a time zone than in UTC.
+    """
+    found = re.search(rb"/CreationDate \(D:[^)]*\)", data)
+    table = data.rindex(b"\nxref\n")
+    constant = b"/CreationDate (D:20000101000000Z)"
+    shift = len(constant) - len(found[0])
+
+    def moved(entry: re.Match) -> bytes:
+        offset = int(entry[1])
+        return b"%010d" % (offset + shift if offset > found.start() else offset) + entry[2]
+
+    tail = re.sub(rb"(\d{10})( \d{5} n)", moved, data[table:])
+    tail = re.sub(
+        rb"startxref\n(\d+)", lambda start: b"startxref\n%d" % (int(start[1]) + shift), tail
+    )
+    return data[: found.start()] + constant + data[found.end() : table] + tail

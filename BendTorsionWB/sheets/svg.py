@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sheets as SVG text: whole pages in millimetres, and the parts other renderers embed."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterable
+from pathlib import Path
+from xml.sax.saxutils import escape
+
+from ..core.sheet import CAP_HEIGHT, FONT_FAMILY, LINE_STYLES, Polyline, Sheet, Text
+
+GROUP = 50
+
+
+def svg_text(sheet: Sheet) -> str:
+    """The whole sheet as an SVG document, 1 user unit = 1 mm, text as text."""
+    lines = [*(line for view in sheet.views for line in view.on_page()), *sheet.all_lines()]
+    return svg_document(sheet, lines, sheet.all_texts(), "mm")
+
+
+def write_svg(sheet: Sheet, path: str | Path) -> None:
+    """Write one sheet as SVG; the file appears whole or not at all. OSError when it cannot."""
+    path = Path(path)
+    handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
+            stream.write(svg_text(sheet))
+        os.chmod(temporary, 0o644)
+        os.replace(temporary, path)
+    except BaseException:
+        os.unlink(temporary)
+        raise
+
+
+def svg_document(
+    sheet: Sheet, lines: Iterable[Polyline], texts: Iterable[Text], unit: str, per_mm: float = 1.0
+) -> str:
+    """Lines and texts (page mm) as an SVG of the sheet's size; `per_mm` size units make a mm."""
+    size = (
+        f'width="{_number(sheet.width * per_mm)}{unit}" '
+        f'height="{_number(sheet.height * per_mm)}{unit}"'
+    )
+    return "\n".join(
+        [
+            '<?xml version="1.0" encoding="UTF-8"?>',
+            f'<svg xmlns="http://www.w3.org/2000/svg" version="1.1" {size} '
+            f'viewBox="0 0 {_number(sheet.width)} {_number(sheet.height)}" xml:space="preserve">',
+            f'<g fill="none" stroke="#000000" stroke-linecap="round" stroke-linejoin="round" '
+            f'font-family="{FONT_FAMILY}, Liberation Sans, sans-serif">',
+            *_grouped([_line(line, sheet.height) for line in lines]),
+            *_grouped([_text(text, sheet.height) for text in texts if text.text.strip()]),
+            "</g>",
+            "</svg>",
+            "",
+        ]
+    )
+
+
+def _grouped(elements: list[str]) -> list[str]:
+    # TechDraw's search of a symbol takes time with the square of the siblings: 2 s for 2000.
+    return [
+        "\n".join(["<g>", *elements[start : start + GROUP], "</g>"])
+        for start in range(0, len(elements), GROUP)
+    ]
+
+
+def _line(line: Polyline, page_height: float) -> str:
+    width, dashes = LINE_STYLES[line.style]
+    points = " ".join(f"{_number(x)},{_number(page_height - y)}" for x, y in line.points)
+    dash = f' stroke-dasharray="{",".join(_number(d) for d in dashes)}"' if dashes else ""
+    return f'<polyline points="{points}" stroke-width="{_number(width)}"{dash}/>'
+
+
+def _text(text: Text, page_height: float) -> str:
+    x, y = _number(text.x), _number(page_height - text.y)
+    turn = f' transform="rotate({_number(-text.angle)} {x} {y})"' if text.angle else ""
+    return (
+        f'<text x="{x}" y="{y}" font-size="{_number(text.height / CAP_HEIGHT)}" '
+        f'text-anchor="{text.anchor}" fill="#000000" stroke="none"{turn}>{escape(text.text)}</text>'
+    )
+
+
+def _number(value: float) -> str:
+    text = f"{value:.4f}".rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text

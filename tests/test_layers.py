@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The house stands in layers: imports point downwards, and every module imports on its own."""
+
+import ast
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+PACKAGE = "BendTorsionWB"
+
+# What each layer may import directly; what those may import is theirs to use as well.
+BELOW = {
+    "core": (),
+    "shapes": ("core",),
+    "exchange": ("core",),
+    "sheets": ("core",),
+    "objects": ("shapes", "sheets"),
+    "make": ("objects",),
+    "project": ("make", "exchange", "sheets"),
+    "gui": ("project",),
+    "__main__": ("project",),
+}
+EVERYWHERE = ("", "freecad_path")  # the package itself holds the version only
+FREECAD = {"FreeCAD", "Part", "Mesh", "MeshPart", "TechDraw", "Spreadsheet", "Import", "Draft"}
+WINDOW = {"FreeCADGui", "TechDrawGui", "ImportGui", "PySide", "PySide2", "PySide6", "pivy"}
+CORE_LIBRARIES = {"numpy", "scipy"}
+
+
+def allowed(layer):
+    """Every layer that `layer` may import, itself included."""
+    layers = {layer}
+    for lower in BELOW[layer]:
+        layers |= allowed(lower)
+    return layers
+
+
+def module_name(path):
+    """Dotted name of the module in `path`."""
+    parts = path.relative_to(ROOT).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+def layer_of(module):
+    """The layer a dotted name inside the package belongs to."""
+    return [*module.split("."), ""][1]
+
+
+def imports(tree, module, is_package):
+    """(imported dotted name, line, lazy) of each import statement, relative ones resolved.
+
+    lazy: inside a function, so not run when the module is imported.
+    """
+    inside_functions = {
+        id(node)
+        for function in ast.walk(tree)
+        if isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef)
+        for node in ast.walk(function)
+    }
+    for node in ast.walk(tree):
+        lazy = id(node) in inside_functions
+        if isinstance(node, ast.Import):
+            for alias in node.names:
+                yield alias.name, node.lineno, lazy
+        elif isinstance(node, ast.ImportFrom):
+            base = node.module or ""
+            if node.level:
+                parents = module.split(".")
+                keep = len(parents) - node.level + (1 if is_package else 0)
+                base = ".".join([*parents[:keep], *([base] if base else [])])
+            for alias in node.names:
+                yield f"{base}.{alias.name}", node.lineno, lazy
+
+
+def faults(layer, name, lazy):
+    """Why `layer` may not import `name`; empty when it may."""
+    top = name.split(".")[0]
+    if top == PACKAGE:
+        target = layer_of(name)
+        if target not in BELOW:
+            known = target in EVERYWHERE or target == "__version__"
+            return "" if known else f"{target} belongs to no layer"
+        attaches_view = target == "gui" and lazy and layer in ("objects", "make", "project")
+        if target in allowed(layer) or attaches_view:
+            return ""
+        return f"{layer} is not above {target}"
+    if layer == "core" and top not in CORE_LIBRARIES | set(sys.stdlib_module_names):
+        return "core uses numpy, scipy and the standard library only"
+    if layer in ("core", "exchange") and top in FREECAD | WINDOW:
+        return f"{layer} works without FreeCAD"
+    if top in WINDOW and layer != "gui" and not lazy:
+        return "the window is reached from below only inside functions"
+    return ""
+
+
+MODULES = sorted((ROOT / PACKAGE).rglob("*.py"))
+
+
+@pytest.mark.parametrize("path", MODULES, ids=module_name)
+def test_imports_point_downwards(path):
+    """No module imports a layer above its own, and core and exchange know no FreeCAD."""
+    module = module_name(path)
+    layer = layer_of(module)
+    if layer in EVERYWHERE:
+        layer = "core"
+    assert layer in BELOW, f"{module} belongs to no layer"
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    found = [
+        f"{path.name}:{line}: {name}: {fault}"
+        for name, line, lazy in imports(tree, module, path.name == "__init__.py")
+        if (fault := faults(layer, name, lazy))
+    ]
+    assert not found, "\n".join(found)
+
+
+def test_the_rules_catch_what_they_forbid():
+    """Each forbidden direction is seen as one, and each allowed one is not."""
+    assert faults("core", "BendTorsionWB.shapes.brep", False)
+    assert faults("core", "FreeCAD", True)
+    assert faults("core", "ezdxf", False)
+    assert faults("exchange", "Part", False)
+    assert faults("exchange", "BendTorsionWB.sheets.pdf", False)
+    assert faults("objects", "BendTorsionWB.make", False)
+    assert faults("objects", "BendTorsionWB.gui.view_member", False)
+    assert faults("sheets", "PySide2", False)
+    assert faults("sheets", "BendTorsionWB.objects.sheet", True)
+    assert faults("exchange", "BendTorsionWB.make", False)
+    assert not faults("objects", "BendTorsionWB.gui.view_member", True)
+    assert not faults("sheets", "PySide2", True)
+    assert not faults("project", "BendTorsionWB.core.finding", False)
+    assert not faults("make", "BendTorsionWB.sheets.pdf", False)
+    relative = ast.parse("from ..shapes import brep\ndef late():\n    import Part\n")
+    assert list(imports(relative, "BendTorsionWB.core.axis", False)) == [
+        ("BendTorsionWB.shapes.brep", 1, False),
+        ("Part", 3, True),
+    ]
+
+
+# One child process per module, forked from a parent that has imported nothing of the package.
+EACH_ALONE = """
+import importlib, os, sys, traceback
+from BendTorsionWB import freecad_path
+freecad_path.append()
+sys.stdout.flush()
+failed = []
+for name in sys.argv[1:]:
+    child = os.fork()
+    if child == 0:
+        try:
+            importlib.import_module(name)
+        except BaseException:
+            traceback.print_exc()
+            sys.stderr.flush()
+            os._exit(1)
+        os._exit(0)
+    status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+    if status:
+        failed.append(f"{name} ({'signal ' + str(-status) if status < 0 else 'exception'})")
+print("failed:", *failed)
+"""
+
+
+def test_each_module_imports_in_a_fresh_interpreter():
+    """No module needs another to have been imported before it."""
+    names = [name for path in MODULES if (name := module_name(path)) != f"{PACKAGE}.__main__"]
+    environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen", "PYTHONPATH": str(ROOT)}
+    run = subprocess.run(
+        [sys.executable, "-c", EACH_ALONE, *names],
+        env=environment,
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+    assert run.stdout.splitlines()[-1:] == ["failed:"], run.stdout + run.stderr

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""report.json and the console table."""
+
+import json
+import math
+from dataclasses import replace
+
+import pytest
+
+from BendTorsionWB.core.finding import Finding, error, note
+from BendTorsionWB.exchange.report import report_json, summary_lines, write_report
+from flat_plates import annular_sector, member, rectangle
+
+MEMBER_KEYS = (
+    "member length_mm mass_kg axis_to_surface_rms_mm axis_to_surface_max_mm "
+    "torsion_error_max_deg total_torsion_deg plates"
+)
+PLATE_KEYS = (
+    "mark part face piece thickness_mm area_mm2 mass_kg length_mm width_mm length_error_max_mm "
+    "length_error_rms_mm length_error_bound_mm strain_max forming dxf nc1"
+)
+FAILED = member(
+    "M2",
+    length=None,
+    mass=None,
+    axis_to_surface_rms=None,
+    axis_to_surface_max=None,
+    torsion_error_max=None,
+    total_torsion=None,
+    findings=(error("plate-too-thick", "M2", "thicker than half its section", value=math.nan),),
+)
+
+
+def read_strictly(path):
+    def refuse(word):
+        raise AssertionError(f"{word} is not JSON")
+
+    return json.loads(path.read_bytes(), parse_constant=refuse)
+
+
+def test_report_has_exactly_the_keys_of_the_contract(tmp_path):
+    plates = (rectangle(), annular_sector(strain_max=math.inf))
+    records = [member("M1", plates), FAILED]
+    write_report(records, [note("n", "x", "é")], "0.1.0", tmp_path / "r.json")
+    report = read_strictly(tmp_path / "r.json")
+    assert list(report) == ["version", "members", "findings"]
+    first, second = report["members"]
+    assert list(first) == MEMBER_KEYS.split()
+    assert list(first["plates"][0]) == PLATE_KEYS.split()
+    assert first["torsion_error_max_deg"] == math.degrees(1e-6)
+    assert first["total_torsion_deg"] == math.degrees(0.25)
+    assert first["plates"][0]["area_mm2"] == plates[0].area
+    assert first["plates"][0]["dxf"] == "plates/M1-T1.dxf"
+    assert first["plates"][0]["nc1"] is None and first["plates"][0]["forming"] is None
+    assert first["plates"][1]["strain_max"] is None
+    assert second == {**dict.fromkeys(MEMBER_KEYS.split()), "member": "M2", "plates": []}
+    assert list(report["findings"][0]) == list(Finding.__dataclass_fields__)
+    assert [finding["object"] for finding in report["findings"]] == ["x", "M2"]
+    assert report["findings"][1]["value"] is None
+
+
+def test_same_records_same_bytes(tmp_path):
+    for name in "ab":
+        write_report([member("M1", (rectangle(),))], (), "0.1.0", tmp_path / name)
+    assert (tmp_path / "a").read_bytes() == (tmp_path / "b").read_bytes()
+
+
+def test_members_stay_in_their_order():
+    report = report_json([member("M9"), member("M10"), member("M1")], (), "0")
+    assert [item["member"] for item in report["members"]] == ["M9", "M10", "M1"]
+
+
+FOLDS = ((1000.0, 0.01),)
+
+
+@pytest.mark.parametrize(
+    ("changes", "plate_changes", "passed"),
+    [
+        ({}, {}, True),
+        ({"axis_to_surface_rms": 0.0031}, {}, False),
+        ({"torsion_error_max": math.radians(0.00101)}, {}, False),
+        ({"axis_to_surface_rms": None}, {}, True),
+        ({}, {"length_error_max": 0.0125, "length_error_bound": 0.01}, False),
+        ({}, {"length_error_max": 0.0125, "length_error_bound": 0.01, "folds": FOLDS}, True),
+        ({}, {"length_error_max": 0.021, "length_error_bound": 0.01, "folds": FOLDS}, False),
+        ({}, {"length_error_max": 0.004, "length_error_bound": 0.0015}, False),
+        ({}, {"length_error_max": 9e-7, "length_error_bound": 0.0}, True),
+        ({}, {"length_error_max": 2e-6, "length_error_bound": 0.0}, False),
+        ({}, {"length_error_max": math.nan}, False),
+        ({"findings": (error("clash", "M1", "meets M2"),)}, {}, False),
+    ],
+)
+def test_the_table_judges_each_figure_against_its_limit(changes, plate_changes, passed):
+    record = member("M1", (rectangle(), rectangle("M1-T2", **plate_changes)), **changes)
+    lines = summary_lines([record], ())
+    row = next(line for line in lines if line.startswith("M1"))
+    assert row.endswith("ok") == passed
+    assert row.endswith("FAIL") != passed
+    assert lines[-1].startswith(f"{int(passed)} of 1 members within the limits")
+    if "findings" not in changes:
+        assert ("!" in row) != passed
+
+
+def test_an_error_that_names_a_plate_fails_its_member_only():
+    records = [member("M1", (rectangle(),)), member("M2", (rectangle("M2-T1"),)), FAILED]
+    records[2] = replace(FAILED, member="M3", findings=())
+    lines = summary_lines(records, [error("x", "M2-T1", "bad")])
+    verdicts = {line.split()[0]: line.split()[-1] for line in lines if line[0] == "M"}
+    assert verdicts == {"M1": "ok", "M2": "FAIL", "M3": "FAIL"}
+    assert "1 errors" in lines[-1]
+    assert all(len(line) <= 140 for line in lines)
+
+
+def test_nothing_built_is_no_success():
+    assert summary_lines([], [])[-1].startswith("0 of 0")
+    assert not any(line.endswith("ok") for line in summary_lines([], []))

@@ -1,0 +1,586 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The schedule: read back as written, and every bad cell named with its place, value and mend."""
+
+import copy
+import dataclasses
+import importlib.util
+import io
+import itertools
+import math
+import pickle
+import re
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import openpyxl
+import pytest
+from scipy.interpolate import CubicSpline
+from scipy.spatial import cKDTree
+
+from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.exchange import schedule_columns as columns
+from BendTorsionWB.exchange.schedule import Settings, read_schedule
+
+ROOT = Path(__file__).resolve().parent.parent
+HALL = ROOT / "resources" / "examples" / "concert_hall"
+
+GOOD = {
+    "Settings": [["key", "value"], ["station_spacing", 400], ["default_slope", 4]],
+    "Materials": [["material", "density", "E", "fy"], ["Q355", 7850, 206000, 355]],
+    "Surfaces": [["surface", "kind", "parameters"], ["Hall", "sphere", "r=20000"]],
+    "Points": [
+        ["axis", "no", "x", "y", "z"],
+        ["A1", 1, 20000, 0, 0],
+        ["A1", 2, 0, 20000, 0],
+        ["A1", 3, -20000, 0, 0],
+    ],
+    "Axes": [["axis", "surface"], ["A1", "Hall"]],
+    "Sections": [
+        ["section", "type", "h", "b", "t", "gap1", "gap2", "t_top", "t_web", "material"],
+        ["S1", "box1", 800, 800, 20, None, None, None, None, None],
+        ["S2", "box1", 600, 500, 16, 2, 3, 18, None, "Q355"],
+        ["S3", "box2", 600, 600, 16, None, None, None, None, None],
+    ],
+    "Members": [
+        ["member", "segment", "axis", "section", "cut", "slope", "align", "align_to", "roll"],
+        ["M1", 1, "A1", "S1", None, None, None, None, 90],
+        ["M1", 2, None, "S2", 4000, 0, "top-left", "previous", None],
+        ["M1", 3, "A1", "S1", "75%", None, None, None, None],
+    ],
+    "Splits": [
+        ["member", "face", "joints"],
+        ["M1", "top", "0.2 0.4 1"],
+        ["M1", "left", "900 5000"],
+    ],
+}
+
+
+def write(path, sheets):
+    book = openpyxl.Workbook()
+    book.remove(book.active)
+    for title, rows in sheets.items():
+        sheet = book.create_sheet(title)
+        for row in rows:
+            sheet.append(row)
+    book.save(path)
+    return path
+
+
+@pytest.fixture
+def read(tmp_path):
+    """read({(sheet, row, heading): value}) reads the good schedule with these cells changed."""
+
+    def changed(changes=(), edit=None):
+        sheets = copy.deepcopy(GOOD)
+        for (title, row, heading), value in dict(changes).items():
+            if heading not in sheets[title][0]:
+                sheets[title][0].append(heading)
+            while len(sheets[title]) < row:
+                sheets[title].append([])
+            line = sheets[title][row - 1]
+            line += [None] * (len(sheets[title][0]) - len(line))
+            line[sheets[title][0].index(heading)] = value
+        if edit:
+            edit(sheets)
+        return read_schedule(write(tmp_path / "hall.xlsx", sheets))
+
+    return changed
+
+
+def findings(call, *arguments):
+    with pytest.raises(BendTorsionError) as raised:
+        call(*arguments)
+    for finding in raised.value.findings:
+        assert finding.severity == "error" and finding.mend and finding.message
+        assert "\n" not in finding.line()
+    return raised.value.findings
+
+
+def one(call, *arguments):
+    found = findings(call, *arguments)
+    assert len(found) == 1, "\n".join(finding.line() for finding in found)
+    return found[0]
+
+
+def test_good_schedule_in_core_units_with_defaults(read):
+    schedule = read()
+    assert schedule.settings.station_spacing == 400.0
+    assert schedule.settings.axis_tolerance == 0.005
+    assert schedule.settings.transition_length == "face"
+    first, second, third = schedule.member("M1").segments
+    assert schedule.member("M1").roll == pytest.approx(math.pi / 2)
+    assert (first.cut, first.slope, first.align, first.align_to) == (None, 4.0, "centre", "axis")
+    assert (second.cut.at(10000.0), second.slope, second.align) == (4000.0, 0.0, "top-left")
+    assert third.cut.is_ratio and third.cut.at(10000.0) == 7500.0
+    assert schedule.section("S1").material == "S355"
+    assert schedule.material("S355").density == pytest.approx(7.85e-6)
+    section = schedule.section("S2")
+    assert (section.t_top, section.t_bottom, section.t_web) == (18.0, 16.0, 16.0)
+    assert (section.gap1, section.gap2, section.material) == (2.0, 3.0, "Q355")
+    splits = schedule.splits_of("M1")
+    assert splits["top"].joints.at(1000.0) == pytest.approx((200.0, 400.0))
+    assert (splits["left"].joints.kind, splits["left"].joints.values) == ("mm", (900.0, 5000.0))
+    assert schedule.surface("Hall").sizes == (("r", 20000.0),)
+    axis = schedule.axis("A1")
+    assert (axis.frame, axis.fit, axis.max_spacing) == ("surface", "pull", None)
+    assert third.where("cut") == "hall.xlsx, sheet Members, row 4, column cut"
+    finding = third.error("cut", "cut-beyond-axis", "beyond", "shorten")
+    assert finding.line().startswith("error: hall.xlsx, sheet Members, row 4, column cut: beyond")
+
+
+def test_layout_of_the_sheets_is_free(read):
+    def shuffle(sheets):
+        for title, rows in sheets.items():
+            width = len(rows[0])
+            sheets[title] = [row[::-1] for row in rows]
+            sheets[title].insert(2, [None] * width)
+            sheets[title] += [[" "] * width, [None] * width]
+        sheets["Points"][1:] = sheets["Points"][:0:-1]
+        sheets["Axes"][1] = [f"  {cell} " for cell in sheets["Axes"][1]]
+        sheets["Sections"][1] = [f" {c}" if c else c for c in sheets["Sections"][1]]
+
+    assert read(edit=shuffle) == read()
+
+
+def test_values_are_immutable_picklable_and_independent_of_their_place(read):
+    plain = read()
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        plain.members[0].roll = 0.0
+    assert pickle.loads(pickle.dumps(plain)) == plain
+    assert read(edit=lambda sheets: sheets["Members"].insert(1, [])) == plain
+    assert read({("Members", 3, "cut"): 4001}) != plain
+
+
+def test_a_cell_formatted_in_per_cent_is_a_ratio(tmp_path):
+    path = write(tmp_path / "hall.xlsx", GOOD)
+    book = openpyxl.load_workbook(path)
+    book["Members"]["E3"] = 0.35
+    book["Members"]["E3"].number_format = "0.0%"
+    book.save(path)
+    cut = read_schedule(path).member("M1").segments[1].cut
+    assert cut.is_ratio and cut.value == pytest.approx(0.35)
+
+
+KINDS = "ellipsoid, sphere, cylinder, cone, torus, plane"
+FACES = "top, bottom, left, right"
+ALIGNMENTS = f"centre, {FACES}, top-left, top-right, bottom-left, bottom-right"
+# sheet, row, column, bad value, code, limit, a word of the mend
+BAD_CELLS = [
+    ("Points", 3, "x", "abc", "not-a-number", None, "write a number"),
+    ("Points", 3, "x", "12,5", "not-a-number", None, "write 12.5"),
+    ("Points", 3, "x", True, "not-a-number", None, "number"),
+    ("Points", 3, "x", None, "value-missing", None, "fill in x"),
+    ("Points", 3, "y", "nan", "not-finite", None, "write a number"),
+    ("Points", 3, "y", "-inf", "not-finite", None, "write a number"),
+    ("Points", 3, "y", "#NUM!", "cell-error", None, "formula"),
+    ("Points", 3, "z", 1e11, "out-of-range", "within +/- 1e+10", "write a number"),
+    ("Points", 3, "no", 1.5, "not-whole", None, "whole"),
+    ("Points", 3, "no", 1, "duplicate", None, "delete or rename"),
+    ("Points", 3, "axis", "A9", "unknown-name", None, "sheet Axes"),
+    ("Axes", 2, "surface", "hal", "unknown-name", None, "did you mean Hall"),
+    ("Axes", 3, "axis", "A1", "duplicate", None, "delete or rename"),
+    ("Axes", 2, "frame", "minimal", "not-supported-yet", "surface", "use surface"),
+    ("Axes", 2, "frame", "sruface", "unknown-value", "surface", "did you mean surface"),
+    ("Axes", 2, "fit", "offset", "not-supported-yet", "pull, keep", "use pull, keep"),
+    ("Axes", 2, "closed", "yes", "not-supported-yet", "no", "write no"),
+    ("Axes", 2, "closed", "perhaps", "unknown-value", "yes, no", "yes or no"),
+    ("Axes", 2, "source", "hall.step#A1", "not-supported-yet", None, "sheet Points"),
+    ("Axes", 2, "start_z", 0, "not-supported-yet", None, "empty the cell"),
+    ("Axes", 2, "end_z", 0, "not-supported-yet", None, "empty the cell"),
+    ("Axes", 2, "start_dz", 5, "not-supported-yet", None, "empty the cell"),
+    ("Axes", 2, "end_dz", 5, "not-supported-yet", None, "empty the cell"),
+    ("Axes", 2, "start_extension", 5, "not-supported-yet", None, "empty the cell"),
+    ("Axes", 2, "end_extension", 5, "not-supported-yet", None, "empty the cell"),
+    ("Axes", 2, "max_spacing", 0, "out-of-range", "above 0", "above 0"),
+    ("Surfaces", 2, "kind", "file", "not-supported-yet", KINDS, "use ellipsoid"),
+    ("Surfaces", 2, "kind", "spere", "unknown-value", KINDS, "did you mean sphere"),
+    ("Surfaces", 2, "file", "hall.step", "not-supported-yet", None, "empty the cell"),
+    ("Surfaces", 2, "parameters", "r=-1", "out-of-range", "above 0", "sphere takes r="),
+    ("Surfaces", 2, "parameters", "r=1 q=2", "bad-parameters", None, "sphere takes r="),
+    ("Surfaces", 2, "parameters", "x=1", "bad-parameters", None, "sphere takes r="),
+    ("Surfaces", 2, "parameters", "20000", "bad-parameters", None, "key=number"),
+    ("Surfaces", 2, "parameters", "r=big", "not-a-number", None, "key=number"),
+    ("Surfaces", 2, "parameters", "r=1 r=2", "duplicate", None, "key=number"),
+    ("Materials", 2, "density", 7.85, "out-of-range", "at least 1000", "kg/m3"),
+    ("Materials", 2, "fy", -355, "out-of-range", "above 0", "MPa"),
+    ("Sections", 2, "type", "box3", "not-supported-yet", "box1, box2", "use box1"),
+    ("Sections", 2, "type", "pipe", "not-supported-yet", "box1, box2", "use box1, box2"),
+    ("Sections", 2, "h", -800, "out-of-range", "above 0", "above 0 mm"),
+    ("Sections", 2, "b", 0, "out-of-range", "above 0", "above 0 mm"),
+    ("Sections", 2, "t", None, "value-missing", None, "fill in t"),
+    ("Sections", 2, "t", 400, "too-thick", 400.0, "less than 400"),
+    ("Sections", 2, "t_top", 410, "too-thick", 400.0, "less than 400"),
+    ("Sections", 2, "t_web", 400, "too-thick", 400.0, "less than 400"),
+    ("Sections", 2, "gap2", 760, "gap-too-wide", 760.0, "below 760"),
+    ("Sections", 4, "gap1", 568, "gap-too-wide", 568.0, "below 568"),
+    ("Sections", 2, "gap1", -1, "out-of-range", "at least 0", "at least 0 mm"),
+    ("Sections", 4, "section", "S1", "duplicate", None, "delete or rename"),
+    ("Sections", 2, "material", "Q420", "unknown-name", None, "sheet Materials"),
+    ("Members", 2, "axis", "A7", "unknown-name", None, "sheet Axes"),
+    ("Members", 2, "axis", None, "value-missing", None, "segment 1"),
+    ("Members", 3, "axis", "A2", "axis-differs", "A1", "write A1"),
+    ("Members", 3, "section", "S9", "unknown-name", None, "sheet Sections"),
+    ("Members", 3, "section", "S3", "type-change", None, "type box1"),
+    ("Members", 3, "segment", 1, "duplicate", None, "1, 2, 3"),
+    ("Members", 3, "segment", 4, "segment-order", 2, "write 2"),
+    ("Members", 2, "cut", 100, "cut-on-first-segment", None, "segment 2"),
+    ("Members", 3, "cut", None, "value-missing", None, "35%"),
+    ("Members", 3, "cut", "76%", "cut-not-rising", "above 76%", "row 3"),
+    ("Members", 3, "cut", "135%", "out-of-range", "above 0%, below 100%", "35%"),
+    ("Members", 3, "cut", -5, "out-of-range", "at least 1", "35%"),
+    ("Members", 3, "cut", 0.35, "out-of-range", "at least 1", "35%"),
+    ("Members", 3, "cut", "half", "not-a-number", None, "write a number"),
+    ("Members", 3, "slope", -1, "out-of-range", "at least 0", "at least 0"),
+    ("Members", 3, "align", "center", "unknown-value", ALIGNMENTS, "did you mean centre"),
+    ("Members", 3, "align_to", "next", "unknown-value", "axis, previous", "axis"),
+    ("Members", 2, "align_to", "previous", "nothing-previous", None, "write axis"),
+    ("Members", 3, "roll", 5, "first-segment-only", None, "segment 1"),
+    ("Members", 3, "member_offset_z", 5, "first-segment-only", None, "segment 1"),
+    ("Members", 2, "roll", 400, "out-of-range", "at most 360", "degrees"),
+    ("Splits", 2, "member", "M7", "unknown-name", None, "sheet Members"),
+    ("Splits", 2, "face", "front", "unknown-value", FACES, FACES),
+    ("Splits", 3, "face", "top", "duplicate", None, "delete or rename"),
+    ("Splits", 2, "joints", "0.4 0.2 1", "joints-not-rising", "each above the one before", "0.2"),
+    ("Splits", 2, "joints", "0.4 0.8 1.2", "joints-mixed", "at most 1", "ratios up to 1"),
+    ("Splits", 2, "joints", "0.4 x", "not-a-number", None, "rising ratios"),
+    ("Splits", 2, "joints", "0 0.5", "out-of-range", "above 0", "rising ratios"),
+    ("Splits", 2, "joints", "auto", "not-supported-yet", None, "ratios"),
+    ("Splits", 2, "joints", None, "value-missing", None, "fill in joints"),
+    ("Settings", 2, "key", "station_spacin", "unknown-name", None, "did you mean station_spacing"),
+    ("Settings", 3, "key", "station_spacing", "duplicate", None, "delete or rename"),
+    ("Settings", 2, "value", "wide", "not-a-number", None, "write a number"),
+    ("Settings", 2, "value", -500, "out-of-range", "above 0", "above 0 mm"),
+]
+
+
+@pytest.mark.parametrize(
+    "sheet, row, column, value, code, limit, mend",
+    BAD_CELLS,
+    ids=[f"{case[0]}-{case[2]}-{case[3]}" for case in BAD_CELLS],
+)
+def test_a_bad_cell_is_one_finding_with_place_value_and_mend(
+    read, sheet, row, column, value, code, limit, mend
+):
+    changes = {(sheet, row, column): value}
+    if (sheet, row) == ("Axes", 3):
+        changes[sheet, row, "surface"] = "Hall"
+    if value == "76%":
+        row += 1
+        value = "75%"
+    finding = one(read, changes)
+    assert finding.object == "hall.xlsx"
+    assert finding.position == f"sheet {sheet}, row {row}, column {column}"
+    assert (finding.code, finding.limit) == (code, limit)
+    assert mend in finding.mend
+    if column == "parameters" and code == "out-of-range":
+        assert finding.value == "r=-1"
+    elif value is not None:
+        assert finding.value == (str(value) if isinstance(value, bool) else value)
+
+
+def test_later_cut_must_rise_in_mm_too(read):
+    finding = one(read, {("Members", 4, "cut"): 4000})
+    assert finding.position == "sheet Members, row 4, column cut"
+    assert (finding.code, finding.limit) == ("cut-not-rising", "above 4000")
+
+
+def test_another_axis_on_a_later_segment(read):
+    def second_axis(sheets):
+        sheets["Axes"].append(["A2", "Hall"])
+        sheets["Points"] += [["A2", 1, 0, 0, 20000], ["A2", 2, 0, 20000, 0]]
+        sheets["Members"][2][2] = "A2"
+
+    finding = one(read, {}, second_axis)
+    assert (finding.code, finding.limit) == ("axis-differs", "A1")
+
+
+def test_too_few_and_coincident_points(read):
+    def only_one(sheets):
+        del sheets["Points"][2:]
+
+    finding = one(read, {}, only_one)
+    assert (finding.position, finding.value) == ("sheet Axes, row 2, column axis", 1)
+    same = {("Points", 4, "x"): 20000.0004, ("Points", 4, "y"): 0}
+    finding = one(read, same)
+    assert (finding.code, finding.position) == (
+        "coincident-points",
+        "sheet Points, row 4, column x",
+    )
+
+
+@pytest.mark.parametrize("sheet", [name for name in GOOD if name not in columns.OPTIONAL_SHEETS])
+def test_a_missing_or_empty_sheet_is_one_finding(read, sheet):
+    finding = one(read, {}, lambda sheets: sheets.pop(sheet))
+    assert (finding.code, finding.position) == ("sheet-missing", f"sheet {sheet}")
+    assert sheet in finding.mend
+    found = findings(read, {}, lambda sheets: sheets.update({sheet: sheets[sheet][:1]}))
+    assert found[0].code in ("sheet-empty", "unknown-name")
+    assert "sheet-empty" in [finding.code for finding in found]
+    finding = one(read, {}, lambda sheets: sheets.update({sheet: []}))
+    assert (finding.code, finding.position) == ("heading-missing", f"sheet {sheet}, row 1")
+
+
+def test_optional_sheets_may_be_missing(read):
+    def bare(sheets):
+        for name in columns.OPTIONAL_SHEETS:
+            sheets.pop(name)
+
+    schedule = read({("Sections", 3, "material"): None}, bare)
+    assert schedule.settings.default_slope == 2.5
+    assert schedule.splits_of("M1") == {}
+
+
+@pytest.mark.parametrize(
+    "sheet, column",
+    [(name, column.name) for name in GOOD for column in columns.SHEETS[name] if column.required],
+)
+def test_a_missing_column_is_one_finding(read, sheet, column):
+    def without(sheets):
+        index = sheets[sheet][0].index(column)
+        for row in sheets[sheet]:
+            del row[index]
+
+    finding = one(read, {}, without)
+    assert finding.code == "column-missing"
+    assert finding.position == f"sheet {sheet}, row 1, column {column}"
+
+
+def test_unknown_sheets_and_columns_are_answered_with_the_nearest(read):
+    finding = one(read, {}, lambda sheets: sheets.update(members=sheets.pop("Members")))
+    assert (finding.code, finding.value) == ("sheet-unknown", "members")
+    assert "did you mean Members" in finding.mend
+    finding = one(read, {}, lambda sheets: sheets["Members"][0].__setitem__(3, "Section"))
+    assert (finding.code, finding.value) == ("column-unknown", "Section")
+    assert finding.position == "sheet Members, row 1, column Section"
+    assert "did you mean section" in finding.mend
+    finding = one(read, {("Points", 1, "x"): "x"}, lambda sheets: sheets["Points"][0].append("x"))
+    assert finding.code == "duplicate"
+    finding = one(read, {}, lambda sheets: sheets["Points"][1].append(7))
+    assert (finding.code, finding.position, finding.value) == (
+        "column-unnamed",
+        "sheet Points, row 2, column F",
+        7,
+    )
+
+
+@pytest.mark.parametrize("sheet", columns.LATER_SHEETS)
+def test_sheets_of_later_versions_are_refused_by_name(read, sheet):
+    finding = one(read, {}, lambda sheets: sheets.update({sheet: [["member"]]}))
+    assert (finding.code, finding.position) == ("not-supported-yet", f"sheet {sheet}")
+    assert f"{sheet} is not supported yet" in finding.message
+
+
+def test_all_errors_are_found_at_once_in_reading_order(read):
+    bad = {
+        ("Splits", 2, "joints"): "0.4 0.2",
+        ("Points", 2, "x"): "abc",
+        ("Sections", 2, "h"): -1,
+        ("Members", 3, "slope"): "steep",
+        ("Points", 4, "z"): None,
+    }
+    found = findings(read, bad)
+    assert [finding.position for finding in found] == [
+        "sheet Points, row 2, column x",
+        "sheet Points, row 4, column z",
+        "sheet Sections, row 2, column h",
+        "sheet Members, row 3, column slope",
+        "sheet Splits, row 2, column joints",
+    ]
+
+
+@pytest.mark.parametrize("name", ["M/1", "..", "M1,M2", "a\\b", "M1.", "x" * 65])
+def test_a_member_name_must_be_fit_for_files(read, name):
+    changes = {("Members", row, "member"): name for row in (2, 3, 4)}
+    changes |= {("Splits", row, "member"): "M1" for row in (2, 3)}
+    found = findings(read, changes)
+    assert {finding.position for finding in found if "column member" in finding.position} >= {
+        "sheet Members, row 2, column member"
+    }
+    assert not any("sheet Splits" in finding.position for finding in found)
+
+
+def test_members_that_differ_by_capitals_only_would_share_files(read):
+    more = {("Members", 5, "member"): "m1", ("Members", 5, "segment"): 1}
+    more |= {("Members", 5, "axis"): "A1", ("Members", 5, "section"): "S1"}
+    assert one(read, more).position == "sheet Members, row 5, column member"
+
+
+def patched(path, sheet_number, pattern, replacement):
+    content = io.BytesIO()
+    with zipfile.ZipFile(path) as source, zipfile.ZipFile(content, "w") as target:
+        for name in source.namelist():
+            data = source.read(name)
+            if name == f"xl/worksheets/sheet{sheet_number}.xml":
+                data, count = re.subn(pattern, replacement, data)
+                assert count == 1
+            target.writestr(name, data)
+    path.write_bytes(content.getvalue())
+    return path
+
+
+def test_nan_and_formulas_without_result_are_no_empty_cells(tmp_path, read):
+    finding = one(read, {("Axes", 2, "max_spacing"): math.nan})
+    assert (finding.code, finding.value) == ("not-finite", "NaN")
+    assert finding.position == "sheet Axes, row 2, column max_spacing"
+    finding = one(read, {("Members", 3, "slope"): "=1+1"})
+    assert finding.code == "formula-without-value"
+    assert finding.position == "sheet Members, row 3, column slope"
+    path = write(tmp_path / "nan.xlsx", GOOD)
+    finding = one(read_schedule, patched(path, 4, b"<v>-20000</v>", b"<v>nan</v>"))
+    assert (finding.code, finding.value) == ("not-finite", "nan")
+    assert finding.position == "sheet Points, row 4, column C"
+    path = write(tmp_path / "calculated.xlsx", GOOD)
+    patched(path, 4, b"<v>-20000</v>", b"<f>-2*10000</f><v>-20000</v>")
+    assert read_schedule(path).axis("A1").points[2].x == -20000.0
+
+
+def encrypted_zip(path):
+    data = bytearray(write(path, GOOD).read_bytes())
+    for magic, offset in ((b"PK\x03\x04", 6), (b"PK\x01\x02", 8)):
+        for match in re.finditer(re.escape(magic), bytes(data)):
+            data[match.start() + offset] |= 1
+    return bytes(data)
+
+
+def ole(mark):
+    return bytes.fromhex("D0CF11E0A1B11AE1") + bytes(504) + mark.encode("utf-16-le")
+
+
+def zipped(name, data, method=zipfile.ZIP_STORED):
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w", method) as archive:
+        archive.writestr(name, data)
+    return content.getvalue()
+
+
+UNREADABLE = {
+    "text": (b"member,segment\nM1,1\n", "not-xlsx"),
+    "empty": (b"", "not-xlsx"),
+    "old": (ole("Workbook"), "not-xlsx"),
+    "password": (ole("EncryptedPackage"), "file-encrypted"),
+    "other-zip": (zipped("content.xml", b"<x/>"), "not-xlsx"),
+    "broken-xml": (zipped("xl/workbook.xml", b"<x"), "file-unreadable"),
+    "bomb": (zipped("xl/workbook.xml", bytes(201_000_000), zipfile.ZIP_DEFLATED), "file-too-large"),
+}
+
+
+@pytest.mark.parametrize("name", UNREADABLE)
+def test_an_unreadable_file_is_one_line(tmp_path, name):
+    content, code = UNREADABLE[name]
+    path = tmp_path / "hall.xlsx"
+    path.write_bytes(content)
+    finding = one(read_schedule, path)
+    assert (finding.object, finding.code) == ("hall.xlsx", code)
+
+
+def test_missing_file_folder_and_damaged_files(tmp_path):
+    assert one(read_schedule, tmp_path / "none.xlsx").code == "file-missing"
+    assert one(read_schedule, tmp_path).code == "file-unreadable"
+    path = tmp_path / "hall.xlsx"
+    path.write_bytes(encrypted_zip(path))
+    assert one(read_schedule, path).code == "file-encrypted"
+    whole = write(path, GOOD).read_bytes()
+    for length in (100, len(whole) // 2, len(whole) - 10):
+        path.write_bytes(whole[:length])
+        assert one(read_schedule, path).code in ("not-xlsx", "file-unreadable")
+
+
+def test_a_sheet_that_reaches_to_the_end_of_the_world(tmp_path):
+    path = write(tmp_path / "hall.xlsx", GOOD)
+    book = openpyxl.load_workbook(path)
+    book["Points"]["XFD1048576"] = " "
+    book.save(path)
+    assert one(read_schedule, path).code == "sheet-too-large"
+
+
+def test_the_documentation_names_every_sheet_column_and_setting():
+    document = (ROOT / "docs" / "schedule.md").read_text()
+    sections = dict(re.findall(r"^## (\w+)\n(.*?)(?=^## |\Z)", document, re.M | re.S))
+    for sheet, row in columns.SHEETS.items():
+        for column in row:
+            assert f"`{column.name}`" in sections[sheet], (sheet, column.name)
+    for key, setting in columns.SETTINGS.items():
+        line = re.search(rf"^\| `{key}` \|[^|]*\| ([^|]*) \|", sections["Settings"], re.M)
+        default = line.group(1).strip("`").replace("empty", "")
+        assert type(setting.default)(default) == setting.default
+    assert all(f"`{sheet}`" in document for sheet in columns.LATER_SHEETS)
+    fields = [field.name for field in dataclasses.fields(Settings)]
+    assert fields == ["place", *columns.SETTINGS]
+
+
+@pytest.fixture(scope="module")
+def make_concert_hall():
+    path = HALL / "make_concert_hall.py"
+    spec = importlib.util.spec_from_file_location("make_concert_hall", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture(scope="module")
+def hall():
+    return read_schedule(HALL / "concert_hall.xlsx")
+
+
+def test_concert_hall_is_written_with_the_same_bytes(tmp_path, make_concert_hall):
+    for name in ("first.xlsx", "second.xlsx"):
+        make_concert_hall.write(tmp_path / name)
+    first = (tmp_path / "first.xlsx").read_bytes()
+    assert first == (tmp_path / "second.xlsx").read_bytes()
+    assert first == (HALL / "concert_hall.xlsx").read_bytes()
+
+
+def test_concert_hall_is_the_case_wanted(hall):
+    half_axes = dict(hall.surface("Hall").sizes)
+    assert half_axes == {"a": 40000.0, "b": 30000.0, "c": 20000.0}
+    assert [member.name for member in hall.members] == [f"M{n}" for n in range(1, 17)]
+    inverse = 1.0 / np.array(list(half_axes.values()))
+    curves = []
+    for axis in hall.axes:
+        points = axis.coordinates()
+        assert 8 <= len(points) <= 12
+        assert np.all(points == np.round(points, 3))
+        assert points[:, 2].min() >= 300.0
+        # Distance to the ellipsoid to first order: F / |grad F|.
+        distance = (np.sum((points * inverse) ** 2, axis=1) - 1.0) / 2.0
+        distance /= np.linalg.norm(points * inverse**2, axis=1)
+        assert np.abs(distance).max() < 0.001
+        chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
+        assert chords.max() / chords.min() > 1.2
+        along = np.concatenate([[0.0], np.cumsum(chords)])
+        curve = CubicSpline(along, points)(np.linspace(0.0, along[-1], 600))
+        assert 15000.0 < np.linalg.norm(np.diff(curve, axis=0), axis=1).sum() < 26000.0
+        curves.append(curve)
+    trees = [cKDTree(curve) for curve in curves]
+    clear = [
+        trees[one].query(curves[other])[0].min()
+        for one, other in itertools.combinations(range(len(curves)), 2)
+    ]
+    # The alignments may push two neighbours half their breadth towards each other.
+    assert min(clear) > 2600.0
+
+
+def test_concert_hall_shows_what_a_schedule_can_say(hall):
+    segments = [segment for member in hall.members for segment in member.segments]
+    assert {len(member.segments) for member in hall.members} == {1, 2, 3}
+    assert {hall.section(segment.section).type for segment in segments} == {"box1", "box2"}
+    assert {segment.slope for segment in segments} == {0.0, 2.5, 4.0, 6.0}
+    assert {segment.cut.is_ratio for segment in segments if segment.cut} == {True, False}
+    assert len({segment.align for segment in segments}) >= 7
+    assert {segment.align_to for segment in segments} == {"axis", "previous"}
+    assert any(hall.section(segment.section).gap1 == 3.0 for segment in segments)
+    assert any(member.roll == pytest.approx(math.radians(5.0)) for member in hall.members)
+    paper = {
+        "left": (0.2, 0.4, 0.6, 0.8),
+        "right": (0.15, 0.35, 0.45, 0.75),
+        "top": (0.1, 0.3, 0.55, 0.7, 0.85),
+        "bottom": (0.25, 0.5, 0.65, 0.9),
+    }
+    as_paper = [
+        {face: split.joints.values for face, split in hall.splits_of(member.name).items()} == paper
+        for member in hall.members
+    ]
+    assert sum(as_paper) >= 12
+    kinds = {split.joints.kind for split in hall.splits}
+    assert kinds == {"ratio", "mm"} and hall.splits_of("M7") == {}

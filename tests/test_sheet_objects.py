@@ -1,0 +1,328 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sheets in a document: TechDraw shows what the sheet model says, and follows every edit."""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import types
+from pathlib import Path
+
+import FreeCAD
+import numpy as np
+import Part  # noqa: F401
+import pytest
+import TechDraw  # noqa: F401
+from test_sheet import strip_member
+
+from BendTorsionWB.core.finding import error
+from BendTorsionWB.core.lofting import MemberRecord
+from BendTorsionWB.core.sheet_layout import member_sheets
+from BendTorsionWB.core.sheet_page import BLANK_CELLS, FRAME, TITLE_BLOCK
+from BendTorsionWB.objects import sheet as sheet_objects
+from BendTorsionWB.sheets.pdf import write_pdf
+from BendTorsionWB.sheets.techdraw import symbol_svg, template_path
+
+FAULT = error("thickness", "M1", "too thick", "reduce t")
+RECORDS = {
+    1: strip_member(lengths=(2500.0, 3000.0)),
+    2: strip_member(lengths=(2500.0, 3000.0, 1500.0)),
+    9: strip_member(lengths=tuple(1500.0 + 100.0 * k for k in range(12))),
+    -1: MemberRecord("M1", "", "box1", findings=(FAULT,)),
+}
+
+
+class Source:
+    """Stands for an Unfold: Choice says which record it gives."""
+
+    def execute(self, obj):
+        pass
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def add_choice(source):
+    source.addProperty("App::PropertyInteger", "Choice")
+    source.addProperty("App::PropertyString", "BT_Type")
+    source.addProperty("App::PropertyStringList", "Findings")
+    source.Choice, source.BT_Type = 1, "Unfold"
+
+
+class Failing(Source):
+    def execute(self, obj):
+        raise ValueError("always")
+
+
+@pytest.fixture(autouse=True)
+def records(monkeypatch):
+    module = types.ModuleType("BendTorsionWB.objects.unfold")
+    module.member_record_of = lambda obj: RECORDS[obj.Choice]
+    monkeypatch.setitem(sys.modules, "BendTorsionWB.objects.unfold", module)
+
+
+@pytest.fixture
+def document():
+    document = FreeCAD.newDocument("Sheets")
+    document.UndoMode = 1
+    source = document.addObject("App::FeaturePython", "Source")
+    source.Proxy = Source()
+    add_choice(source)
+    sheets = document.addObject("App::FeaturePython", "M1_Sheets")
+    sheet_objects.SheetSet(sheets)
+    sheets.Unfold, sheets.Project = source, "Concert hall"
+    document.recompute()
+    document.clearUndos()
+    yield document
+    FreeCAD.closeDocument(document.Name)
+
+
+def pages(document):
+    found = [obj for obj in document.Objects if obj.isDerivedFrom("TechDraw::DrawPage")]
+    return sorted(found, key=lambda page: outlines_of(page).Index)
+
+
+def view_of(page):
+    (view,) = [view for view in page.Views if view.isDerivedFrom("TechDraw::DrawViewPart")]
+    return view
+
+
+def symbol_of(page):
+    (view,) = [view for view in page.Views if view.isDerivedFrom("TechDraw::DrawViewSymbol")]
+    return view
+
+
+def outlines_of(page):
+    return view_of(page).Source[0]
+
+
+def shown(document):
+    """Per page, the symbol and the vertices of the view on paper, rounded to 1e-4 mm."""
+    return [
+        (symbol_of(page).Symbol, sorted(map(tuple, np.round(vertices(page), 4))))
+        for page in pages(document)
+    ]
+
+
+def vertices(page):
+    view = view_of(page)
+    count = len(outlines_of(page).Shape.Vertexes)
+    points = []
+    for k in range(count):
+        try:
+            points.append(view.getVertexByIndex(k).Point)
+        except ValueError:
+            break
+    return np.array(points)[:, :2] * view.Scale + (view.X.Value, view.Y.Value)
+
+
+def solid_points(sheet):
+    left, bottom, right, top = sheet.frame
+    points = [(left, bottom), (right, bottom), (right, top), (left, top)]
+    for view in sheet.views:
+        for line in view.on_page():
+            if line.style in ("wide", "medium", "narrow"):
+                points += line.points
+    return np.array(points)
+
+
+def farthest(points, others):
+    return max(np.min(np.hypot(*(others - point).T)) for point in points)
+
+
+def check(document, choice):
+    sheets = member_sheets(RECORDS[choice], "Concert hall")
+    assert document.M1_Sheets.PageCount == len(sheets) == len(pages(document))
+    assert len(document.Objects) == 2 + 5 * len(sheets)
+    assert all(obj.State == ["Up-to-date"] for obj in document.Objects)
+    for page, sheet in zip(pages(document), sheets, strict=True):
+        assert symbol_of(page).Symbol == symbol_svg(sheet)
+        assert page.Label == f"M1_Sheets {sheet.number}"
+
+
+def test_views_show_the_sheet_model_within_a_hundredth_of_a_millimetre(document):
+    check(document, 1)
+    for page, sheet in zip(pages(document), member_sheets(RECORDS[1], "Concert hall"), strict=True):
+        drawn, model = vertices(page), solid_points(sheet)
+        assert len(drawn) > 4 or not sheet.views
+        assert farthest(drawn, model) < 0.01
+        assert farthest(model, drawn) < 0.01
+        if sheet.views:
+            assert view_of(page).Scale == pytest.approx(1.0 / sheet.views[0].scale, rel=1e-12)
+
+
+def test_edits_add_and_remove_pages_by_plain_recompute(document):
+    before = shown(document)
+    for choice in (2, 9, 1, -1, 9, 1):
+        document.Source.Choice = choice
+        document.recompute()
+        check(document, choice)
+    assert shown(document) == before
+
+
+def test_undo_and_redo_bring_pages_back(document):
+    before = shown(document)
+    for choice in (9, -1):
+        document.openTransaction("edit")
+        document.Source.Choice = choice
+        document.recompute()
+        document.commitTransaction()
+    document.undo()
+    document.recompute()
+    check(document, 9)
+    document.undo()
+    document.recompute()
+    check(document, 1)
+    assert shown(document) == before
+    document.redo()
+    document.redo()
+    document.recompute()
+    check(document, -1)
+
+
+def test_saved_and_reopened_sheets_are_the_same_and_still_follow(document, tmp_path):
+    before = shown(document)
+    document.saveAs(str(tmp_path / "sheets.FCStd"))
+    again = FreeCAD.openDocument(str(tmp_path / "sheets.FCStd"))
+    try:
+        assert shown(again) == before
+        for obj in again.Objects:
+            obj.touch()
+        again.recompute()
+        check(again, 1)
+        assert shown(again) == before
+        again.Source.Choice = 9
+        again.recompute()
+        check(again, 9)
+    finally:
+        if again.Name != document.Name:
+            FreeCAD.closeDocument(again.Name)
+
+
+def test_a_member_in_error_empties_its_sheets_and_mending_restores_them(document):
+    before = shown(document)
+    document.Source.Choice = -1
+    document.recompute()
+    (page,) = pages(document)
+    assert "M1: IN ERROR" in symbol_of(page).Symbol and "reduce t" in symbol_of(page).Symbol
+    assert vertices(page).min(axis=0) == pytest.approx(FRAME[:2], abs=0.01)
+    assert len(vertices(page)) == 4
+    assert document.M1_Sheets.Status == FAULT.line()
+    document.Source.Choice = 1
+    document.recompute()
+    assert shown(document) == before
+    document.Source.Findings = [json.dumps(FAULT.as_dict())]
+    document.recompute()
+    (page,) = pages(document)
+    assert "IN ERROR" in symbol_of(page).Symbol and "reduce t" in symbol_of(page).Symbol
+
+
+def test_a_deleted_source_and_a_deleted_page_are_dealt_with(document):
+    document.removeObject(pages(document)[1].Name)
+    document.M1_Sheets.touch()
+    document.recompute()
+    document.recompute()
+    assert [outlines_of(page).Index for page in pages(document)] == list(
+        range(document.M1_Sheets.PageCount)
+    )
+    document.removeObject("Source")
+    document.recompute()
+    (page,) = pages(document)
+    assert "link-missing" in document.M1_Sheets.Findings[0]
+    assert "Unfold is not set" in symbol_of(page).Symbol
+
+
+def test_surplus_pages_wait_for_a_recompute_without_errors(document):
+    bad = document.addObject("App::FeaturePython", "Bad")
+    bad.Proxy = Failing()
+    document.Source.Choice = -1
+    document.recompute()
+    assert document.M1_Sheets.PageCount == 1 < len(pages(document))
+    assert "no longer used" in symbol_of(pages(document)[1]).Symbol
+    document.removeObject("Bad")
+    document.recompute()
+    check(document, -1)
+
+
+EXPORT = """
+import os, sys, types
+from PySide2 import QtWidgets
+application = QtWidgets.QApplication([])
+import test_sheet_objects as this
+import FreeCAD, FreeCADGui
+FreeCADGui.showMainWindow()
+import TechDrawGui
+unfold = types.ModuleType("BendTorsionWB.objects.unfold")
+unfold.member_record_of = lambda obj: this.RECORDS[obj.Choice]
+sys.modules["BendTorsionWB.objects.unfold"] = unfold
+document = FreeCAD.newDocument("Sheets")
+source = document.addObject("App::FeaturePython", "Source")
+source.Proxy = this.Source()
+this.add_choice(source)
+sheets = document.addObject("App::FeaturePython", "M1_Sheets")
+this.sheet_objects.SheetSet(sheets)
+sheets.Unfold, sheets.Project = source, "Concert hall"
+document.recompute()
+TechDrawGui.exportPageAsPdf(this.pages(document)[1], sys.argv[1])
+source.Choice = 9
+document.recompute()
+source.Choice = -1
+document.recompute()
+os._exit(0 if len(this.pages(document)) == 1 else 1)
+"""
+
+
+def pixels(pdf, page):
+    """The page at 10 dots per mm, True where black."""
+    done = subprocess.run(
+        ["pdftoppm", "-r", "254", "-gray", "-f", str(page), "-l", str(page), str(pdf)],
+        capture_output=True,
+        check=True,
+    )
+    header = re.match(rb"P5\s+(\d+)\s+(\d+)\s+255\s", done.stdout)
+    shape = int(header[2]), int(header[1])
+    return np.frombuffer(done.stdout[header.end() :], np.uint8).reshape(shape) < 110
+
+
+def test_techdraw_page_and_pdf_put_the_same_ink_in_the_same_places(tmp_path):
+    here = Path(__file__).resolve().parent
+    program = "import sys; sys.path[:0] = sys.argv[2:4]; import conftest\n" + EXPORT
+    subprocess.run(
+        [sys.executable, "-c", program, str(tmp_path / "page.pdf"), str(here), str(here.parent)],
+        env={**os.environ, "QT_QPA_PLATFORM": "offscreen", "PYTHONUTF8": "1"},
+        check=True,
+        timeout=120,
+        capture_output=True,
+    )
+    write_pdf(member_sheets(RECORDS[1], "Concert hall"), tmp_path / "ours.pdf")
+    techdraw, ours = pixels(tmp_path / "page.pdf", 1), pixels(tmp_path / "ours.pdf", 2)
+    for one, other in ((techdraw, ours), (ours, techdraw)):
+        rows, columns = min(len(one), len(other)), min(one.shape[1], other.shape[1])
+        near = np.zeros((rows, columns), bool)
+        reach = 4  # 0.4 mm: half a line width; letters of long lines drift further apart
+        for down in range(-reach, reach + 1):
+            for right in range(-reach, reach + 1):
+                near |= np.roll(other, (down, right), (0, 1))[:rows, :columns]
+        ink = one[:rows, :columns]
+        assert ink.sum() > 100_000
+        assert (ink & ~near).sum() < 5e-3 * ink.sum()
+
+
+def test_template_fields_stand_in_the_blank_cells_of_the_title_block(document):
+    template = pages(document)[0].Template
+    assert template.Template.endswith("A3_landscape.svg") or template.PageResult
+    assert sorted(template.EditableTexts) == sorted(BLANK_CELLS)
+    assert (template.Width, template.Height) == (420.0, 297.0)
+    text = open(template_path(), encoding="utf-8").read()
+    width = (TITLE_BLOCK[2] - TITLE_BLOCK[0]) / len(BLANK_CELLS)
+    for number, cell in enumerate(BLANK_CELLS):
+        left = TITLE_BLOCK[0] + number * width
+        x = float(text.split(f'editable="{cell}" x="')[1].split('"')[0])
+        assert left < x < left + 3.0
