@@ -4,18 +4,22 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
+import traceback
 
 from BendTorsionWB import __version__, freecad_path
 from BendTorsionWB.core.finding import BendTorsionError
 
-GOOD, MEMBERS_FAILED, INVALID = 0, 1, 2
+GOOD, FAILED, INVALID = 0, 1, 2
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run the command line; returns 0 when all is good, 1 when members failed, 2 when the
-    schedule is invalid and nothing was written."""
+    """Run the command line; returns 0 when all is good, 1 when members failed or files could not
+    be written, 2 when the schedule is invalid and nothing was written."""
     options = _parser().parse_args(arguments)
+    # Qt orders XML attributes by a seed it draws at the start; files must not depend on it.
+    os.environ.setdefault("QT_HASH_SEED", "0")
     freecad_path.append()
     try:
         import FreeCAD  # noqa: F401
@@ -28,7 +32,15 @@ def main(arguments: list[str] | None = None) -> int:
         _end_progress()
         for finding in problem.findings:
             print(finding.line(), file=sys.stderr)
-        return INVALID
+        unwritten = any(finding.code == "file-not-written" for finding in problem.findings)
+        return FAILED if unwritten else INVALID
+    except Exception as problem:  # noqa: BLE001 - the last fence before the user
+        _end_progress()
+        if options.debug:
+            traceback.print_exc()
+        print(f"error: unexpected {type(problem).__name__}: {problem} -> run again with --debug "
+              "and report what it prints", file=sys.stderr)
+        return FAILED
     except KeyboardInterrupt:
         _end_progress()
         print("stopped; files already written are whole", file=sys.stderr)
@@ -50,6 +62,7 @@ def _parser() -> argparse.ArgumentParser:
     check.add_argument("schedule", help="the schedule workbook (.xlsx)")
     check.set_defaults(run=_check)
     for command in (build, check):
+        command.add_argument("--debug", action="store_true", help="print where a fault arose")
         command.add_argument("--only", default="", metavar="M1,M2", help="only these members")
         command.add_argument(
             "--jobs", type=_count, default=None, metavar="N", help="worker processes (all cores)"
@@ -71,7 +84,9 @@ def _members(options) -> list[str]:
 def _build(options) -> int:
     from BendTorsionWB import project
     from BendTorsionWB.exchange import report
+    from BendTorsionWB.sheets.pdf import start_qt
 
+    start_qt()
     result = project.build(
         options.schedule, options.out, _members(options), options.jobs, _progress
     )
@@ -83,7 +98,7 @@ def _build(options) -> int:
         print(line)
     seconds = ", ".join(f"{name} {spent:.1f}" for name, spent in result.timing.items())
     print(f"{sum(result.timing.values()):.1f} s ({seconds}); results in {options.out}")
-    return MEMBERS_FAILED if result.failed else GOOD
+    return FAILED if result.failed else GOOD
 
 
 def _check(options) -> int:
@@ -102,7 +117,7 @@ def _check(options) -> int:
     plates = sum(len(item.record.plates) for item in detailed.values())
     print(f"{schedule.file}: {len(detailed)} members, {plates} plates, "
           + ("in error" if failed else "good"))
-    return MEMBERS_FAILED if failed else GOOD
+    return FAILED if failed else GOOD
 
 
 _shown = {"width": 0, "what": ""}

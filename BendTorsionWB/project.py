@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import os
+import tempfile
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, field
@@ -20,6 +22,7 @@ from BendTorsionWB.core.sheet_layout import member_sheets
 from BendTorsionWB.exchange import dxf, report, results_workbook
 from BendTorsionWB.exchange.schedule import MemberRow, Schedule, read_schedule
 from BendTorsionWB.exchange.schedule_jobs import job_of, located
+from BendTorsionWB.exchange.timeless import timeless_document, timeless_step
 from BendTorsionWB.exchange.whole_file import whole_file, write_whole
 
 MODEL, STEP, RESULTS, REPORT, TIMING = (
@@ -137,13 +140,15 @@ def build(
             from BendTorsionWB.shapes.clash import clashes
 
             findings = clashes({name: item.geometry for name, item in detailed.items()})
+        # Workers make the files of all members while this process builds the document.
+        made = _made_files([d.record for d in detailed.values()], schedule, executor)
         with timing.stage("document"):
             document = build_document(schedule, jobs, progress)
             findings = (*findings, *checked_recompute(document))
         records = tuple(_record(name, item, findings) for name, item in detailed.items())
         healthy = tuple(record for record in records if record.plates)
         former = _former_files(out, records, bool(only))
-        _write(document, schedule, records, healthy, findings, out, executor, timing, progress)
+        _write(document, schedule, records, healthy, findings, out, made, timing, progress)
     with timing.stage("tidy"):
         for name in former - set(_own_files(healthy)):
             (out / name).unlink(missing_ok=True)
@@ -263,25 +268,31 @@ def checked_recompute(document) -> tuple[Finding, ...]:
     return tuple(dict.fromkeys(findings))
 
 
+def _made_files(
+    records: Sequence[MemberRecord], schedule: Schedule, executor: Executor | None
+) -> Iterator[tuple[str, bytes]]:
+    """Name and content of every sheet and cut file of the records, in order."""
+    run = executor.map if executor else map
+    plates = [plate for record in records for plate in record.plates]
+    pages = [(record, schedule.settings.project) for record in records]
+    sheets = zip((report.sheet_name(r.member) for r in records), run(_sheets_pdf, pages),
+                 strict=True)
+    cut_files = zip((report.dxf_name(p.mark) for p in plates), run(dxf.plate_dxf, plates),
+                    strict=True)
+    return itertools.chain(sheets, cut_files)
+
+
 def _write(
-    document, schedule, records, healthy, findings, out: Path, executor, timing: Timing, progress
+    document, schedule, records, healthy, findings, out: Path, made, timing: Timing, progress
 ) -> None:
-    with timing.stage("dxf"):
-        plates = [plate for record in healthy for plate in record.plates]
-        texts = executor.map(dxf.plate_dxf, plates, chunksize=8) if executor else map(
-            dxf.plate_dxf, plates
-        )
-        for done, (plate, text) in enumerate(zip(plates, texts, strict=True), start=1):
-            write_whole(out / report.dxf_name(plate.mark), text)
-            progress("cut files", done, len(plates))
-    with timing.stage("sheets"):
-        pages = [
-            (record, schedule.settings.project, out / report.sheet_name(record.member))
-            for record in healthy
-        ]
-        written = executor.map(_write_sheets, pages) if executor else map(_write_sheets, pages)
-        for done, _ in enumerate(written, start=1):
-            progress("sheets", done, len(healthy))
+    with timing.stage("files"):
+        wanted = set(_own_files(healthy))
+        done = 0
+        for name, content in made:
+            if name in wanted:
+                write_whole(out / name, content)
+                done += 1
+                progress("sheets and cut files", done, len(wanted))
     with timing.stage("step"):
         progress("model", 0, 2)
         write_step(document, [record.member for record in healthy], out / STEP)
@@ -296,12 +307,14 @@ def _write(
         report.write_report(records, findings, __version__, out / REPORT)
 
 
-def _write_sheets(given: tuple[MemberRecord, str, Path]) -> None:
+def _sheets_pdf(given: tuple[MemberRecord, str]) -> bytes:
     from BendTorsionWB.sheets.pdf import write_pdf
 
-    record, project, path = given
-    path.parent.mkdir(parents=True, exist_ok=True)
-    write_pdf(member_sheets(record, project), path)
+    record, project = given
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "sheets.pdf"
+        write_pdf(member_sheets(record, project), path)
+        return path.read_bytes()
 
 
 def _own_files(healthy: Iterable[MemberRecord]) -> list[str]:
@@ -345,28 +358,16 @@ def write_step(document, members: Sequence[str], path: Path) -> None:
         )
     with whole_file(path) as part:
         Import.export(sets, str(part))
-        part.write_bytes(_timeless_step(part.read_bytes(), path.name))
-
-
-def _timeless_step(content: bytes, name: str) -> bytes:
-    """The header's file name and time stamp replaced, so that equal models are equal files."""
-    import re
-
-    header, separator, rest = content.partition(b"DATA;")
-    header = re.sub(
-        rb"FILE_NAME\(.*?\);",
-        f"FILE_NAME('{name}','1970-01-01T00:00:00',(''),(''),'BendTorsion {__version__}',"
-        f"'FreeCAD','');".encode(),
-        header,
-        flags=re.DOTALL,
-    )
-    return header + separator + rest
+        part.write_bytes(
+            timeless_step(part.read_bytes(), path.name, f"BendTorsion {__version__}")
+        )
 
 
 def save(document, path: Path) -> None:
     """Save a document whole or not at all."""
     with whole_file(path) as part:
         document.saveCopy(str(part))
+        timeless_document(part)
 
 
 def _json(content: dict) -> bytes:

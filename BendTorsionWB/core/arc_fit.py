@@ -207,12 +207,12 @@ def _one_arc(points: np.ndarray) -> tuple[float, float]:
         return 0.0, np.inf
     along = (end - start) / chord
     inner = points[1:-1] - start
-    x = inner @ along
+    x = inner[:, 0] * along[0] + inner[:, 1] * along[1]
     y = inner[:, 1] * along[0] - inner[:, 0] * along[1]
     # Circles through both ends: y = k (x² + y² - chord x), linear in k and regular for a line.
     w = x * (x - chord) + y * y
-    scale = w @ w
-    k = (w @ y) / scale if scale else 0.0
+    scale = (w * w).sum()
+    k = (w * y).sum() / scale if scale else 0.0
     bulge = k * chord / (1.0 + np.sqrt(1.0 + (k * chord) ** 2))
     if abs(bulge) * chord / 2.0 <= STRAIGHT_SAGITTA:
         straight = np.abs(y).max()

@@ -39,17 +39,24 @@ class Development:
     def flat(self, s: np.ndarray, w: np.ndarray) -> np.ndarray:
         """Points (n, 2) of the plane at (s, w)."""
         value = self.plane(s)
-        direction = np.column_stack([-np.sin(value[:, 2]), np.cos(value[:, 2])])
+        direction = _ruling_direction(value[:, 2])
         return value[:, :2] + (np.asarray(w) * value[:, 3])[:, None] * direction
 
     def ruling_crossing(self, s: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
         """w (n,) where the rulings at s (n,) cross the flat straight lines a-b, each (n, 2)."""
         value = self.plane(s)
-        direction = np.column_stack([-np.sin(value[:, 2]), np.cos(value[:, 2])])
+        direction = _ruling_direction(value[:, 2])
         along = b - a
         gap = a - value[:, :2]
         across = direction[:, 0] * along[:, 1] - direction[:, 1] * along[:, 0]
         return (gap[:, 0] * along[:, 1] - gap[:, 1] * along[:, 0]) / (across * value[:, 3])
+
+
+def _ruling_direction(theta: np.ndarray) -> np.ndarray:
+    """d = (−sin θ, cos θ), (n, 2). From a copy: numpy's sine of a strided view takes another path
+    from run to run, with other last bits."""
+    theta = theta.copy()
+    return np.column_stack([-np.sin(theta), np.cos(theta)])
 
 
 def develop(rails: Piecewise, name: str = "plate") -> Development:

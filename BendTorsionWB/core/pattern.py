@@ -28,7 +28,13 @@ class Pattern:
 
     def flat(self, s: np.ndarray, w: np.ndarray) -> np.ndarray:
         """Pattern points (n, 2) at (s, w)."""
-        return self.development.flat(s, w) @ self.turn.T + self.shift
+        return turned(self.development.flat(s, w), self.turn) + self.shift
+
+
+def turned(points: np.ndarray, turn: np.ndarray) -> np.ndarray:
+    """turn @ point for points (n, d). Not by BLAS, whose last bits vary with the alignment of
+    memory from run to run: the same input must give the same bytes."""
+    return sum(points[:, k, None] * turn[:, k] for k in range(points.shape[1]))
 
 
 def develop_plate(plate: Plate, marking_face: str = "inside") -> DevelopedPlate:
@@ -40,7 +46,7 @@ def develop_plate(plate: Plate, marking_face: str = "inside") -> DevelopedPlate:
     development = develop(plate.rails.mid, plate.mark)
     runs = _outline_in_plane(development, plate)
     pattern = _pattern_frame(development, plate, runs, marking_face)
-    outline = tuple(run @ pattern.turn.T + pattern.shift for run in runs)
+    outline = tuple(turned(run, pattern.turn) + pattern.shift for run in runs)
     if np.linalg.det(pattern.turn) < 0:
         outline = tuple(run[::-1] for run in reversed(outline))
     places = np.array([line.s_mid for line in plate.lines])
@@ -103,7 +109,8 @@ def _edge_runs(development: Development, plate: Plate, w: float) -> list[np.ndar
         probe = np.linspace(a, b, 33)
         points = development.flat(probe, np.full(33, w))
         chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
-        turn = np.diff(np.unwrap(np.arctan2(*np.diff(points, axis=0).T[::-1])))
+        step_u, step_v = np.diff(points, axis=0).T.copy()
+        turn = np.diff(np.unwrap(np.arctan2(step_v, step_u)))
         curvature = (np.abs(turn) / (0.5 * (chords[1:] + chords[:-1]))).max() + 1e-12
         longest = min(LONGEST_OUTLINE_CHORD, np.sqrt(8 * OUTLINE_SAGITTA / curvature))
         count = max(2, int(np.ceil(chords.sum() / longest)))
@@ -122,7 +129,7 @@ def _pattern_frame(
     seen_from_inside = plate.inward > 0
     if seen_from_inside != (marking_face == "inside"):
         turn[1] = -turn[1]
-    corner = np.concatenate([run @ turn.T for run in runs]).min(axis=0)
+    corner = np.concatenate([turned(run, turn) for run in runs]).min(axis=0)
     return Pattern(development, turn, -corner)
 
 
@@ -188,7 +195,7 @@ def _points(
     for kind, letter in (("arris", "P"), ("witness", "W")):
         first, second, w_first, w_second = groups[kind]
         flat = (pattern.flat(places, w_first), pattern.flat(places, w_second))
-        local = tuple(xyz @ placing[:3, :3].T + placing[:3, 3] for xyz in (first, second))
+        local = tuple(turned(xyz, placing[:3, :3]) + placing[:3, 3] for xyz in (first, second))
         for i, line in enumerate(plate.lines):
             for side, xyz in enumerate((first, second)):
                 points.append(
@@ -298,7 +305,7 @@ def _placing_frames(plate: Plate, pattern: Pattern) -> tuple[np.ndarray, np.ndar
         z = -z
     placing = np.eye(4)
     placing[:3, :3] = np.array([x, np.cross(z, x), z])
-    placing[:3, 3] = -placing[:3, :3] @ origin
+    placing[:3, 3] = -turned(origin[None], placing[:3, :3])[0]
     flat_origin = flat[start, 0]
     flat_x = flat[start, 1] - flat_origin
     flat_x = flat_x / np.linalg.norm(flat_x)
@@ -308,5 +315,5 @@ def _placing_frames(plate: Plate, pattern: Pattern) -> tuple[np.ndarray, np.ndar
     flat_to_placing = np.eye(4)
     flat_to_placing[:2, :2] = np.array([flat_x, flat_y])
     flat_to_placing[2, 2] = np.sign(np.linalg.det(flat_to_placing[:2, :2]))
-    flat_to_placing[:2, 3] = -flat_to_placing[:2, :2] @ flat_origin
+    flat_to_placing[:2, 3] = -turned(flat_origin[None], flat_to_placing[:2, :2])[0]
     return placing, flat_to_placing

@@ -43,6 +43,18 @@ _DIFFERENTIATE = _differentiation_matrix()
 _INTEGRATE = _integration_matrix()
 
 
+def _combined(matrix: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """matrix (i, j) applied to values (m, j, d), node by node: (m, i, d).
+
+    Not by BLAS or einsum: their last bits vary with the alignment of memory from run to run, and
+    the same input must give the same bytes.
+    """
+    total = np.zeros((len(values), len(matrix), values.shape[2]))
+    for j in range(values.shape[1]):
+        total += matrix[:, j, None] * values[:, None, j]
+    return total
+
+
 def _basis(x: np.ndarray) -> np.ndarray:
     """Barycentric Lagrange basis (m, DEGREE + 1) at x (m,) in [-1, 1]."""
     difference = x[:, None] - _NODES[None, :]
@@ -82,13 +94,13 @@ class Piecewise:
     def derivative(self) -> Piecewise:
         """d/ds."""
         scale = 2.0 / np.diff(self.breaks)
-        values = np.einsum("ij,mjd->mid", _DIFFERENTIATE, self.values) * scale[:, None, None]
+        values = _combined(_DIFFERENTIATE, self.values) * scale[:, None, None]
         return Piecewise(self.breaks, values)
 
     def antiderivative(self, initial: np.ndarray | float = 0.0) -> Piecewise:
         """The integral from the start, plus `initial`."""
         half = 0.5 * np.diff(self.breaks)
-        values = np.einsum("ij,mjd->mid", _INTEGRATE, self.values) * half[:, None, None]
+        values = _combined(_INTEGRATE, self.values) * half[:, None, None]
         steps = np.cumsum(values[:, -1, :], axis=0)
         values[1:] += steps[:-1, None, :]
         return Piecewise(self.breaks, values + initial)
@@ -96,7 +108,8 @@ class Piecewise:
     def integral(self) -> np.ndarray:
         """The integral over the whole range, (d,)."""
         half = 0.5 * np.diff(self.breaks)
-        return np.einsum("j,mjd,m->d", _INTEGRATE[-1], self.values, half)
+        whole = _combined(_INTEGRATE[-1:], self.values)[:, 0]
+        return (whole * half[:, None]).sum(axis=0)
 
     def __call__(self, s: np.ndarray, side: str = "later") -> np.ndarray:
         """Values (m, d) at s (m,), extrapolated from the end spans outside the range."""
@@ -105,7 +118,10 @@ class Piecewise:
         where = np.clip(where, 0, len(self.breaks) - 2)
         low, high = self.breaks[where], self.breaks[where + 1]
         basis = _basis((2.0 * s - low - high) / (high - low))
-        return np.einsum("nj,njd->nd", basis, self.values[where])
+        total = np.zeros((len(s), self.values.shape[2]))
+        for j in range(DEGREE + 1):
+            total += basis[:, j, None] * self.values[where, j]
+        return total
 
 
 def span_nodes(breaks: np.ndarray) -> np.ndarray:
@@ -145,7 +161,7 @@ def resolve(
         nodes = middle[:, None] + half[:, None] * _NODES
         nodes[:, 0], nodes[:, -1] = spans[:, 0], spans[:, 1]
         values = function(nodes.ravel()).reshape(*nodes.shape, -1)
-        tail = np.abs(np.einsum("ij,mjd->mid", to_coefficients[-2:], values)).max(axis=(1, 2))
+        tail = np.abs(_combined(to_coefficients[-2:], values)).max(axis=(1, 2))
         good = (tail <= 20 * INTERPOLATION_RELATIVE * size) | (depth == deepest)
         done += [(a, b, v) for (a, b), v in zip(spans[good], values[good], strict=True)]
         rest = spans[~good]

@@ -27,7 +27,7 @@ def skin_volume(pieces: Sequence[SkinPiece]) -> float:
     for piece in pieces:
         spline = BSpline(piece.knots, piece.poles.transpose(1, 0, 2), 3)
         s, weights = _gauss(np.unique(piece.knots), _SPLINE_NODES)
-        total += weights @ _flux(spline(s), spline.derivative()(s), ends)
+        total += float((weights * _flux(spline(s), spline.derivative()(s), ends)).sum())
     return abs(total + _caps(ends))
 
 
@@ -59,7 +59,8 @@ def strip_volume(rails: StripRails) -> float:
         ring = Piecewise(breaks, _ring(rails, places).reshape(*nodes.shape, 12))
         s, weights = _gauss(breaks, _EXACT_NODES)
         values, rates = ring(s), ring.derivative(s)
-        total += weights @ _flux(values.reshape(-1, 4, 3), rates.reshape(-1, 4, 3), ends)
+        flux = _flux(values.reshape(-1, 4, 3), rates.reshape(-1, 4, 3), ends)
+        total += float((weights * flux).sum())
     return abs(total + _caps(ends))
 
 
@@ -96,5 +97,5 @@ def _caps(ends: np.ndarray) -> float:
     total = 0.0
     for ring, side in zip(ends - ends.mean(axis=(0, 1)), (1.0, -1.0), strict=True):
         area = 0.5 * np.cross(ring, np.roll(ring, -1, axis=0)).sum(axis=0)
-        total += side * float(area @ ring.mean(axis=0)) / 3.0
+        total += side * float((area * ring.mean(axis=0)).sum()) / 3.0
     return total

@@ -143,9 +143,9 @@ def largest(values: Iterable[float]) -> float | None:
     return max(values, key=lambda value: (math.isnan(value), value), default=None)
 
 
-def worst_length_error(plates: Iterable[DevelopedPlate], folded: bool) -> float | None:
-    """Largest length error among the plates with (`folded`) or without folds; mm."""
-    return largest(plate.length_error_max for plate in plates if plate.in_transition == folded)
+def worst_length_error(plates: Iterable[DevelopedPlate], in_transition: bool) -> float | None:
+    """Largest length error among the plates in transitions (`in_transition`) or outside them; mm."""
+    return largest(plate.length_error_max for plate in plates if plate.in_transition == in_transition)
 
 
 def worst_bound_factor(plates: Iterable[DevelopedPlate]) -> float | None:
@@ -192,7 +192,7 @@ _HEADINGS = (
     ("axis rms", 9, ">"),
     ("torsion °", 9, ">"),
     ("flat", 9, ">"),
-    ("flat fold", 9, ">"),
+    ("flat tran", 9, ">"),
     ("x bound", 7, ">"),
     ("result", 6, "<"),
 )

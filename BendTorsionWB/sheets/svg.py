@@ -11,7 +11,7 @@ from xml.sax.saxutils import escape
 
 from ..core.sheet import CAP_HEIGHT, FONT_FAMILY, LINE_STYLES, Polyline, Sheet, Text
 
-GROUP = 50
+GROUP = 8
 
 
 def svg_text(sheet: Sheet) -> str:
@@ -60,10 +60,12 @@ def svg_document(
 
 def _grouped(elements: list[str]) -> list[str]:
     # TechDraw's search of a symbol takes time with the square of the siblings: 2 s for 2000.
-    return [
-        "\n".join(["<g>", *elements[start : start + GROUP], "</g>"])
-        for start in range(0, len(elements), GROUP)
-    ]
+    while len(elements) > GROUP:
+        elements = [
+            "\n".join(["<g>", *elements[start : start + GROUP], "</g>"])
+            for start in range(0, len(elements), GROUP)
+        ]
+    return elements
 
 
 def _line(line: Polyline, page_height: float) -> str:

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What FreeCAD stamps into its files (times, random ids) replaced, so that the same input gives the
+same bytes."""
+
+from __future__ import annotations
+
+import re
+import zipfile
+from pathlib import Path
+
+TIME = "1980-01-01T00:00:00Z"
+UUID = "00000000-0000-0000-0000-000000000000"
+
+
+def timeless_step(content: bytes, name: str, software: str) -> bytes:
+    """A STEP file with its header's file name, time stamp and origin replaced."""
+    header, separator, rest = content.partition(b"DATA;")
+    header = re.sub(
+        rb"FILE_NAME\(.*?\);",
+        f"FILE_NAME('{name}','{TIME[:-1]}',(''),(''),'{software}','FreeCAD','');".encode(),
+        header,
+        flags=re.DOTALL,
+    )
+    return header + separator + rest
+
+
+def timeless_document(path: Path) -> None:
+    """A FreeCAD document rewritten in place: entries in their order, without times or random ids."""
+    with zipfile.ZipFile(path) as source:
+        entries = [(info.filename, source.read(info)) for info in source.infolist()]
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=3) as target:
+        for name, content in entries:
+            if name == "Document.xml":
+                content = _timeless_xml(content.decode()).encode()
+            info = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
+            info.compress_type = zipfile.ZIP_DEFLATED
+            target.writestr(info, content, compresslevel=3)
+
+
+def _timeless_xml(text: str) -> str:
+    for stamp in ("CreationDate", "LastModifiedDate"):
+        text = re.sub(
+            rf'(<Property name="{stamp}"[^>]*>\s*<String value=")[^"]*', rf"\g<1>{TIME}", text
+        )
+    text = re.sub(r'(<Uuid value=")[^"]*', rf"\g<1>{UUID}", text)
+    # Objects count their ids on from a random number.
+    numbers = [int(n) for n in re.findall(r'<Object type="[^"]*" name="[^"]*" id="(\d+)"', text)]
+    first = min(numbers, default=1)
+    return re.sub(
+        r'(<Object type="[^"]*" name="[^"]*" id=")(\d+)',
+        lambda match: f"{match.group(1)}{int(match.group(2)) - first + 1}",
+        text,
+    )
