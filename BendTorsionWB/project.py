@@ -19,7 +19,7 @@ from BendTorsionWB.core import detailing
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
 from BendTorsionWB.core.lofting import MemberRecord
 from BendTorsionWB.core.sheet_layout import member_sheets
-from BendTorsionWB.exchange import dxf, report, results_workbook
+from BendTorsionWB.exchange import dxf, nc1, report, results_workbook
 from BendTorsionWB.exchange.schedule import MemberRow, Schedule, read_schedule
 from BendTorsionWB.exchange.schedule_jobs import job_of, located
 from BendTorsionWB.exchange.timeless import timeless_document, timeless_step
@@ -279,7 +279,9 @@ def _made_files(
                  strict=True)
     cut_files = zip((report.dxf_name(p.mark) for p in plates), run(dxf.plate_dxf, plates),
                     strict=True)
-    return itertools.chain(sheets, cut_files)
+    nc1_files = zip((report.nc1_name(p.mark) for p in plates), run(nc1.plate_nc1, plates),
+                    strict=True)
+    return itertools.chain(sheets, cut_files, nc1_files)
 
 
 def _write(
@@ -322,6 +324,7 @@ def _own_files(healthy: Iterable[MemberRecord]) -> list[str]:
     for record in healthy:
         names.append(report.sheet_name(record.member))
         names += [report.dxf_name(plate.mark) for plate in record.plates]
+        names += [report.nc1_name(plate.mark) for plate in record.plates]
     return names
 
 
@@ -332,7 +335,7 @@ def _former_files(out: Path, records: Sequence[MemberRecord], partial: bool) -> 
         former = json.loads((out / REPORT).read_text(encoding="utf-8"))["members"]
         now = {record.member for record in records}
         members = [m for m in former if not partial or m["member"] in now]
-        names = {plate["dxf"] for member in members for plate in member["plates"]}
+        names = {p[kind] for m in members for p in m["plates"] for kind in ("dxf", "nc1")}
         names |= {report.sheet_name(member["member"]) for member in members}
     except (OSError, ValueError, KeyError, TypeError):
         return set()

@@ -36,6 +36,11 @@ def dxf_name(mark: str) -> str:
     return f"plates/{mark}.dxf"
 
 
+def nc1_name(mark: str) -> str:
+    """Path of a plate's NC1 file in the output folder."""
+    return f"nc1/{mark}.nc1"
+
+
 def sheet_name(member: str) -> str:
     """Path of a member's sheets in the output folder."""
     return f"sheets/{member}.pdf"
@@ -115,7 +120,7 @@ def _plate(plate: DevelopedPlate) -> dict:
         "strain_max": _number(plate.strain_max),
         "forming": plate.forming,
         "dxf": dxf_name(plate.mark),
-        "nc1": None,
+        "nc1": nc1_name(plate.mark),
     }
 
 

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from ..core.finding import SEVERITIES, Finding
 from ..core.lofting import DevelopedPlate, MemberRecord
-from .report import all_findings, degrees, dxf_name, findings_of, largest, sheet_name
+from .report import all_findings, degrees, dxf_name, findings_of, largest, nc1_name, sheet_name
 from .whole_file import write_whole
 from .xlsx_file import FINE, STRAIN, TENTH, TEXT, WHOLE, Column, Table, xlsx_bytes
 
@@ -184,7 +184,7 @@ def _plate(plate: DevelopedPlate) -> tuple:
         plate.forming,
         plate.bending_radius_min,
         dxf_name(plate.mark),
-        None,
+        nc1_name(plate.mark),
         sheet_name(plate.member),
     )
 

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Axes from DXF files: splines, arcs, polylines, lines and points, by layer or handle."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import ezdxf
+import numpy as np
+from ezdxf.entities import Ellipse
+from ezdxf.lldxf.const import DXFError
+from ezdxf.math import rational_bspline_from_ellipse
+
+from ..core.axis_source import AxisSource, axis_source, found_source
+from ..core.curve import Curve
+from ..core.finding import BendTorsionError, Finding, error, has_error, warning
+
+# $INSUNITS to mm; 0 (no unit) counts as mm.
+UNITS = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 14: 100.0}
+KINDS = ("SPLINE", "ARC", "CIRCLE", "ELLIPSE", "LWPOLYLINE", "POLYLINE", "LINE", "POINT")
+
+
+def dxf_axis(path: str | Path, name: str = "") -> AxisSource:
+    """What a DXF file holds for an axis, in mm: everything on the layer `name`, or the one entity
+    with that handle; the only layer when empty.
+
+    Splines, arcs, ellipses and bulges exactly; straight polylines and lines as segments; points
+    as bare points. Raises BendTorsionError for files that cannot be read and names not there.
+    """
+    source = found_source(name, dxf_axes(path), Path(path).name)
+    if has_error(source.findings):
+        raise BendTorsionError(source.findings)
+    return source
+
+
+def dxf_axes(path: str | Path) -> dict[str, AxisSource]:
+    """All sources of a DXF file: by layer, then by handle of each entity."""
+    path = Path(path)
+    try:
+        document = ezdxf.readfile(path)
+    except (OSError, DXFError) as problem:
+        raise BendTorsionError(
+            error("axis-file", path.name, f"the file cannot be read as DXF: {problem}",
+                  "save it as DXF R2000 or later")
+        ) from problem
+    code = document.header.get("$INSUNITS", 0)
+    if code not in UNITS:
+        raise BendTorsionError(
+            error("axis-file-unit", path.name, "the drawing's unit is none of mm, cm, dm, m, "
+                  "inch, foot", "set $INSUNITS to 4 (mm)", position="$INSUNITS", value=int(code))
+        )
+    entities = [e for e in document.modelspace() if e.dxftype() in KINDS]
+    inserts = len(document.modelspace().query("INSERT"))
+    findings = (
+        warning("axis-file-blocks", path.name, "blocks of the drawing were not looked into",
+                "explode them when they hold the axis", value=inserts),
+    ) if inserts else ()
+    groups: dict[str, list] = {}
+    for entity in entities:
+        groups.setdefault(entity.dxf.layer, []).append(entity)
+    for entity in entities:
+        groups.setdefault(entity.dxf.handle, [entity])
+    sources = {}
+    for name, members in groups.items():
+        try:
+            sources[name] = _source(name, members, UNITS[code], findings)
+        except BendTorsionError as problem:
+            # A layer of many things is no axis; each of them may be one.
+            sources[name] = AxisSource(name, findings=problem.findings)
+    return sources
+
+
+def _source(name: str, entities: list, scale: float, findings: tuple[Finding, ...]) -> AxisSource:
+    curves, polylines, points = [], [], []
+    for entity in entities:
+        kind = entity.dxftype()
+        if kind == "POINT":
+            points.append(np.array(entity.dxf.location) * scale)
+        elif kind in ("LWPOLYLINE", "POLYLINE") and entity.has_arc:
+            for part in entity.virtual_entities():
+                if part.dxftype() == "LINE":
+                    polylines.append(_vertices(part) * scale)
+                else:
+                    curves.append(_curve(part, scale))
+        elif kind == "SPLINE" and not len(entity.control_points):
+            # Fit points alone name no curve: they count as points in order.
+            polylines.append(np.array([tuple(p) for p in entity.fit_points]) * scale)
+        elif kind in ("LWPOLYLINE", "POLYLINE", "LINE"):
+            polylines.append(_vertices(entity) * scale)
+        else:
+            curves.append(_curve(entity, scale))
+    return axis_source(name, tuple(curves), tuple(polylines), np.array(points), findings)
+
+
+def _vertices(entity) -> np.ndarray:
+    if entity.dxftype() == "LINE":
+        return np.array([tuple(entity.dxf.start), tuple(entity.dxf.end)])
+    if entity.dxftype() == "LWPOLYLINE":
+        points = np.array([tuple(point) for point in entity.vertices_in_wcs()])
+        closed = entity.closed
+    else:
+        points = np.array([tuple(point) for point in entity.points_in_wcs()])
+        closed = entity.is_closed
+    return np.vstack([points, points[:1]]) if closed else points
+
+
+def _curve(entity, scale: float) -> Curve:
+    if entity.dxftype() == "SPLINE":
+        spline = entity.construction_tool()
+    else:
+        if entity.dxftype() in ("ARC", "CIRCLE"):
+            entity = Ellipse.from_arc(entity)
+        spline = rational_bspline_from_ellipse(entity.construction_tool())
+    weights = np.array(spline.weights(), float)
+    return Curve(
+        spline.degree,
+        np.array(spline.knots(), float),
+        np.array([tuple(point) for point in spline.control_points], float) * scale,
+        None if not len(weights) or np.ptp(weights) == 0 else weights,
+    )

@@ -1,0 +1,271 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The reading of one cell of a schedule: numbers, names, choices, cuts, joints, files."""
+
+from __future__ import annotations
+
+import difflib
+import math
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+# Beyond any site grid in mm; larger figures are slips that would only overflow later.
+LARGEST_NUMBER = 1e10
+# A cut closer to the start than this is a ratio written without its per cent sign.
+SHORTEST_CUT = 1.0
+LONGEST_NAME = 64
+
+_NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
+_NOT_IN_A_FILE_NAME = re.compile(r'[<>:"/\\|?*,;\x00-\x1f]')
+
+
+class Percent(float):
+    """A number from a cell formatted in per cent: 0.35 that the spreadsheet shows as 35%."""
+
+
+class BadCell(ValueError):
+    """A cell value that cannot be used: code, message, mend, limit and unit of its finding."""
+
+    def __init__(self, code: str, message: str, mend: str, limit=None, unit: str = ""):
+        super().__init__(message)
+        self.code, self.message, self.mend = code, message, mend
+        self.limit, self.unit = limit, unit
+
+
+@dataclass(frozen=True)
+class Cut:
+    """Where a transition starts: mm of arc length from the trimmed start, or a ratio in 0..1."""
+
+    value: float
+    is_ratio: bool
+
+    def at(self, length: float) -> float:
+        """Arc length in mm on a member of this length in mm."""
+        return self.value * length if self.is_ratio else self.value
+
+
+@dataclass(frozen=True)
+class Joints:
+    """Rising joint positions inside a member: ratios of its length (< 1), or mm."""
+
+    values: tuple[float, ...]
+    kind: str
+
+    def at(self, length: float) -> tuple[float, ...]:
+        """Arc lengths in mm on a member of this length in mm."""
+        factor = length if self.kind == "ratio" else 1.0
+        return tuple(value * factor for value in self.values)
+
+
+def did_you_mean(word: str, known: Iterable[str]) -> str | None:
+    """The known word closest to this one, whatever its case, or None."""
+    by_lower = {name.lower(): name for name in known}
+    near = difflib.get_close_matches(str(word).strip().lower(), list(by_lower), n=1, cutoff=0.6)
+    return by_lower[near[0]] if near else None
+
+
+@dataclass(frozen=True)
+class Number:
+    """Reads a finite number: above/least and below/most bound it, scale brings it to its unit."""
+
+    unit: str = "mm"
+    above: float | None = None
+    least: float | None = None
+    below: float | None = None
+    most: float | None = None
+    scale: float = 1.0
+    whole: bool = False
+
+    def __call__(self, value):
+        number = _finite(value)
+        for broken, sign, bound in (
+            (self.above is not None and number <= self.above, "above", self.above),
+            (self.least is not None and number < self.least, "at least", self.least),
+            (self.below is not None and number >= self.below, "below", self.below),
+            (self.most is not None and number > self.most, "at most", self.most),
+            (abs(number) > LARGEST_NUMBER, "within +/-", LARGEST_NUMBER),
+        ):
+            if broken:
+                limit = f"{sign} {bound:g}"
+                mend = f"write a number {limit} {self.unit}".rstrip()
+                message = "the number is out of range"
+                raise BadCell("out-of-range", message, mend, limit, self.unit)
+        if self.whole:
+            if number != round(number):
+                raise BadCell("not-whole", "not a whole number", "write a whole number: 1, 2, 3")
+            return int(number)
+        return number * self.scale
+
+
+def _finite(value) -> float:
+    if isinstance(value, str):
+        text = value.strip()
+        if text.lower().lstrip("+-") in ("nan", "inf", "infinity"):
+            raise BadCell("not-finite", "not a finite number", "write a number")
+        if _NUMBER.fullmatch(text.replace(",", ".", 1)) and "," in text:
+            mend = f"the decimal mark is a point: write {text.replace(',', '.', 1)}"
+            raise BadCell("not-a-number", "text where a number belongs", mend)
+        if not _NUMBER.fullmatch(text):
+            raise BadCell("not-a-number", "text where a number belongs", "write a number")
+        number = float(text)
+    elif isinstance(value, bool) or not isinstance(value, (int, float)):
+        kind = "yes/no" if isinstance(value, bool) else "a date"
+        mend = "write a number and format the cell as a number"
+        raise BadCell("not-a-number", f"{kind} where a number belongs", mend)
+    else:
+        number = float(value) if abs(value) < 1e300 or value != value else math.inf
+    if not math.isfinite(number):
+        raise BadCell("not-finite", "not a finite number", "write a number")
+    return number
+
+
+def text(value) -> str:
+    """Text of one line as written; a whole number loses its '.0'."""
+    if isinstance(value, float) and value.is_integer():
+        value = int(value)
+    return " ".join(str(value).split())
+
+
+@dataclass(frozen=True)
+class Name:
+    """Reads a name; one that also names files has no sign a file system would refuse."""
+
+    names_files: bool = False
+
+    def __call__(self, value) -> str:
+        name = text(value)
+        if len(name) > LONGEST_NAME:
+            mend = f"shorten it to {LONGEST_NAME} characters"
+            raise BadCell("name-too-long", "the name is too long", mend, LONGEST_NAME)
+        unfit = _NOT_IN_A_FILE_NAME.search(name) or name.startswith(".") or name.endswith(".")
+        if self.names_files and unfit:
+            mend = "use letters, digits, blanks, '-', '_' and inner points only"
+            raise BadCell("bad-name", "this name cannot name a file", mend)
+        return name
+
+
+@dataclass(frozen=True)
+class Choice:
+    """Reads one of the known words; words of later stages are refused as not supported yet.
+
+    open_ended: every other word may be one of a later stage.
+    """
+
+    known: tuple[str, ...]
+    later: tuple[str, ...] = ()
+    open_ended: bool = False
+
+    def __call__(self, value) -> str:
+        word = text(value)
+        if word in self.known:
+            return word
+        words = ", ".join(self.known)
+        near = did_you_mean(word, self.known)
+        if word in self.later or self.open_ended:
+            message = f"{word} is not supported yet"
+            raise BadCell("not-supported-yet", message, f"use {words}", words)
+        mend = f"did you mean {near}? known: {words}" if near else f"use one of {words}"
+        raise BadCell("unknown-value", "unknown value", mend, words)
+
+
+def yes_no(value) -> bool:
+    """yes, true or 1; no, false or 0."""
+    word = str(text(value)).lower()
+    if word in ("yes", "true", "1"):
+        return True
+    if word in ("no", "false", "0"):
+        return False
+    raise BadCell("unknown-value", "neither yes nor no", "write yes or no", "yes, no")
+
+
+@dataclass(frozen=True)
+class FilePart:
+    """A file, relative to the schedule, and the name of one part of it (empty: all of it)."""
+
+    file: str
+    part: str
+
+
+@dataclass(frozen=True)
+class FileCell:
+    """Reads `file` or `file#name`, with one of the endings."""
+
+    endings: tuple[str, ...]
+
+    def __call__(self, value) -> FilePart:
+        file, _, part = text(value).partition("#")
+        file, part = file.strip().replace("\\", "/"), part.strip()
+        known = ", ".join(self.endings)
+        if not file.lower().endswith(self.endings):
+            mend = f"write a file, or file#name, ending in {known}"
+            raise BadCell("file-kind", "this kind of file is not read", mend, known)
+        return FilePart(file, part)
+
+
+def along(value) -> Cut:
+    """A place of an axis, ends included: mm from its trimmed start, or 0% to 100%."""
+    is_ratio = isinstance(value, Percent)
+    if isinstance(value, str) and value.strip().endswith("%"):
+        is_ratio, value = True, _finite(value.strip()[:-1]) / 100.0
+    number = Number()(value)
+    if number < 0.0 or (is_ratio and number > 1.0):
+        mend, limit = "write mm from the start of the axis, or 0% to 100%", "0% to 100%"
+        raise BadCell("out-of-range", "the place is not on the axis", mend, limit)
+    return Cut(number, is_ratio)
+
+
+def cut(value) -> Cut:
+    """mm from the trimmed start, or a ratio as 35% (typed, or a cell formatted in per cent)."""
+    is_ratio = isinstance(value, Percent)
+    if isinstance(value, str) and value.strip().endswith("%"):
+        is_ratio, value = True, _finite(value.strip()[:-1]) / 100.0
+    number = _finite(value)
+    if is_ratio and not 0.0 < number < 1.0:
+        mend, limit = "write a ratio inside the member, such as 35%", "above 0%, below 100%"
+        raise BadCell("out-of-range", "the cut is not inside the member", mend, limit)
+    if not is_ratio and number < SHORTEST_CUT:
+        mend = f"write mm from the member's start, or {number * 100:g}% for a ratio"
+        if number <= 0.0:
+            mend = "write mm from the member's start, or a ratio such as 35%"
+        limit = f"at least {SHORTEST_CUT:g}"
+        raise BadCell("out-of-range", "the cut is too short", mend, limit, "mm")
+    return Cut(Number()(number), is_ratio)
+
+
+def joints(value) -> Joints:
+    """Rising positions parted by blanks: all <= 1 are ratios, otherwise all are mm."""
+    words = str(value).split()
+    if [word.lower() for word in words] == ["auto"]:
+        mend = "write ratios such as 0.2 0.4 1, or mm"
+        raise BadCell("not-supported-yet", "joints auto is not supported yet", mend)
+    mend = "write rising ratios such as 0.2 0.4 1, or rising mm, parted by blanks"
+    try:
+        numbers = [Number(above=0.0)(word) for word in words]
+    except BadCell as bad:
+        raise BadCell(bad.code, f"joints: {bad.message}", mend, bad.limit) from None
+    if any(after <= before for before, after in zip(numbers, numbers[1:])):
+        raise BadCell("joints-not-rising", "joints do not rise", mend, "each above the one before")
+    if numbers[0] > 1.0:
+        return Joints(tuple(numbers), "mm")
+    if numbers[-1] > 1.0:
+        mend = "write ratios up to 1 only, or mm only"
+        raise BadCell("joints-mixed", "ratios up to 1 and mm are mixed", mend, "at most 1")
+    # The ratio 1 is the member's end, where no joint is.
+    return Joints(tuple(number for number in numbers if number < 1.0), "ratio")
+
+
+def parameters(value) -> dict[str, float]:
+    """`a=40000 b=30000 c=20000` as a dict of numbers as written; which keys is checked by kind."""
+    mend = "write key=number parted by blanks, such as a=40000 b=30000 c=20000"
+    found: dict[str, float] = {}
+    for item in re.sub(r"\s*=\s*", "=", str(value).strip()).split():
+        key, equals, figure = item.partition("=")
+        if not equals or not key:
+            raise BadCell("bad-parameters", f"cannot read the parameter '{item}'", mend)
+        if key in found:
+            raise BadCell("duplicate", f"parameter {key} is given twice", mend)
+        try:
+            found[key] = Number()(figure)
+        except BadCell as bad:
+            raise BadCell(bad.code, f"parameter {key}: {bad.message}", mend, bad.limit) from None
+    return found
