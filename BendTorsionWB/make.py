@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 
 import FreeCAD
 
+from BendTorsionWB.core import section_catalogue
 from BendTorsionWB.objects import axis as axis_object
 from BendTorsionWB.objects import member as member_object
 from BendTorsionWB.objects import plate_set as plates_object
@@ -31,7 +32,7 @@ def make_surface(
     **sizes: float,
 ):
     """A Surface: an analytic kind with its sizes (mm; cone `angle` in degrees), or
-    face=(object, 'Face1')."""
+    face=(object, 'Face1'), face=(object, '') for all faces of an object."""
     obj = _new(document, "Part::FeaturePython", name, surface_object.Surface)
     if face is not None:
         obj.Kind, obj.Source = "face", _sub(face)
@@ -51,30 +52,112 @@ def make_axis(
     points: Sequence[Sequence[float]] = (),
     *,
     edge: tuple | None = None,
+    sources: Sequence = (),
+    source_use: str = "automatic",
+    rule: Mapping | None = None,
+    order: str = "given",
+    closed: bool = False,
+    direction: str = "given",
+    reverse: bool = False,
     fit: str = "pull",
+    distance: float | None = None,
     tolerance: float | None = None,
     max_spacing: float = 0.0,
+    chord_sag: float = 0.0,
+    tangent_turn: float = 0.0,
+    twist_step: float = 0.0,
+    start_z: float | None = None,
+    end_z: float | None = None,
+    start_dz: float = 0.0,
+    end_dz: float = 0.0,
+    start_extension: float = 0.0,
+    end_extension: float = 0.0,
+    frame: str = "surface",
+    fixed_direction: Sequence[float] = (0.0, 0.0, 1.0),
+    given_angles: Mapping[float, float] | None = None,
+    given_directions: Mapping[float, Sequence[float]] | None = None,
+    roll: float = 0.0,
+    twist: Mapping[float, float] | None = None,
+    preset: Mapping[float, Sequence[float]] | None = None,
+    show: str = "wire",
 ):
-    """An Axis through ordered points (mm), or along edge=(object, 'Edge1') as it is."""
+    """An Axis through points (mm), along what is picked, or by rule.
+
+    edge=(object, 'Edge1') one picked curve; sources: several objects, or (object, names) each.
+    rule: {"kind": "plane section", "origin", "normal", "start", "end"}, {"kind": "geodesic",
+    "start", "end"} or {"kind": "iso-curve", "held", "at", "first", "last", "patch"}. distance: of
+    fit offset, None for the points' mean. Lengths in mm, angles in degrees. given_angles,
+    given_directions, twist and preset map a place (all up to 1: ratios, else mm) to its value.
+    """
     obj = _new(document, "Part::FeaturePython", name, axis_object.Axis)
     obj.Surface = surface
     if edge is not None:
         obj.Source = _sub(edge)
+    obj.Sources = [_sub(item if isinstance(item, tuple) else (item, "")) for item in sources]
+    obj.SourceUse = source_use
     obj.Points = [FreeCAD.Vector(*point) for point in points]
-    obj.Fit, obj.MaxSpacing = fit, max_spacing
+    _set_rule(obj, rule or {"kind": "none"})
+    obj.Order, obj.Closed, obj.Direction, obj.Reversed = order, closed, direction, reverse
+    obj.Fit, obj.Distance, obj.DistanceFromPoints = fit, distance or 0.0, distance is None
     if tolerance is not None:
         obj.Tolerance = tolerance
+    obj.MaxSpacing, obj.ChordSag = max_spacing, chord_sag
+    obj.TangentTurn, obj.TwistStep = tangent_turn, twist_step
+    obj.UseStartZ, obj.StartZ, obj.StartDz = start_z is not None, start_z or 0.0, start_dz
+    obj.UseEndZ, obj.EndZ, obj.EndDz = end_z is not None, end_z or 0.0, end_dz
+    obj.StartExtension, obj.EndExtension = start_extension, end_extension
+    obj.Frame, obj.FixedDirection = frame, FreeCAD.Vector(*fixed_direction)
+    table = given_directions or given_angles or {}
+    obj.GivenPlaces = [float(place) for place in table]
+    if given_directions:
+        obj.GivenDirections = [FreeCAD.Vector(*vector) for vector in given_directions.values()]
+    else:
+        obj.GivenAngles = [float(angle) for angle in table.values()]
+    obj.Roll = roll
+    obj.TwistPlaces = [float(place) for place in twist or {}]
+    obj.TwistAngles = [float(angle) for angle in (twist or {}).values()]
+    obj.PresetPlaces = [float(place) for place in preset or {}]
+    obj.PresetMoves = [FreeCAD.Vector(*move) for move in (preset or {}).values()]
+    obj.Show = show
     return obj
+
+
+def _set_rule(obj, rule: Mapping) -> None:
+    obj.Rule = rule["kind"]
+    for key in ("origin", "normal", "start", "end"):
+        if rule.get(key) is not None:
+            setattr(obj, f"Rule{key.capitalize()}", FreeCAD.Vector(*rule[key]))
+    for key in ("held", "at", "first", "last", "patch"):
+        if key in rule:
+            setattr(obj, f"Rule{key.capitalize()}", rule[key])
 
 
 def make_section(document, name: str = "Section", type: str = "box1", **sizes):
-    """A SectionSpec; sizes h, b, t, t_top, t_bottom, t_web, gap1, gap2 in mm, and Material,
-    Density (kg/m3), E and fy ('355 MPa')."""
+    """A SectionSpec of a type: box1, box2, i, tee, channel, trapezoid, polygon or strips.
+
+    Sizes h, b, b_bottom, t, t_top, t_bottom, t_web, gap1, gap2 in mm; corner_joint; corners and
+    thicknesses of a polygon, [(y, z), ...] and one per side; strips, a list of rows (face, letter,
+    y1, z1, y2, z2, t, side, stop1, stop2); Material, Density (kg/m3), E and fy ('355 MPa').
+    """
     obj = _new(document, "Part::FeaturePython", name, section_object.SectionSpec)
     obj.Type = type
+    if "corners" in sizes:
+        obj.PolygonCorners = [FreeCAD.Vector(0.0, y, z) for y, z in sizes.pop("corners")]
+    if "thicknesses" in sizes:
+        obj.PolygonThicknesses = [float(t) for t in sizes.pop("thicknesses")]
+    if "strips" in sizes:
+        obj.StripTable = [", ".join(map(str, row)) for row in sizes.pop("strips")]
+    if "corner_joint" in sizes:
+        obj.CornerJoint = sizes.pop("corner_joint")
     for size, value in sizes.items():
         setattr(obj, size, value)
     return obj
+
+
+def make_catalogue_section(document, name: str):
+    """A SectionSpec with the sizes of a catalogue section, such as 'HEB 300'."""
+    entry = section_catalogue.entry(name)
+    return make_section(document, entry.name, entry.type, **entry.sizes)
 
 
 def make_member(
@@ -92,15 +175,16 @@ def make_member(
 ):
     """A Member along an axis with one section per segment.
 
-    segments: one mapping per segment with any of cut (mm), cut_ratio, slope, align, align_to,
-    offset_y, offset_z. roll in degrees.
+    segments: one mapping per segment with any of cut (mm), cut_ratio, slope, transition, align,
+    align_to, offset_y, offset_z. roll in degrees.
     """
     obj = _new(document, "Part::FeaturePython", name, member_object.Member)
     obj.Axis, obj.Segments = axis, len(sections)
     obj.OffsetY, obj.OffsetZ, obj.Roll = offset_y, offset_z, roll
     obj.TransitionLength, obj.Rank = transition_length, rank
     names = {
-        "cut": "Cut", "cut_ratio": "CutRatio", "slope": "Slope", "align": "Align",
+        "cut": "Cut", "cut_ratio": "CutRatio", "slope": "Slope",
+        "transition": "Transition", "align": "Align",
         "align_to": "AlignTo", "offset_y": "OffsetY", "offset_z": "OffsetZ",
     }
     for k, section in enumerate(sections, start=1):
@@ -113,25 +197,29 @@ def make_member(
 def make_plates(
     document,
     member,
-    joints: Mapping[str, Sequence[float]] | None = None,
+    joints: Mapping[str, Sequence[float] | str] | None = None,
     *,
     station_spacing: float = 500.0,
     rule_pack: str = "CN",
 ):
-    """The PlateSet of a member; joints: face -> cumulative ratios (up to 1) or mm."""
+    """The PlateSet of a member; joints: face -> cumulative ratios (up to 1) or mm, or `auto`."""
     obj = _new(document, "Part::FeaturePython", f"{member.Label} plates", plates_object.PlateSet)
     obj.Member = member
-    for face, values in (joints or {}).items():
-        setattr(obj, f"Joints{face.capitalize()}", [float(value) for value in values])
+    joints = joints or {}
+    obj.AutoJoints = [face for face, values in joints.items() if values == "auto"]
+    for face, values in joints.items():
+        plates_object.add_joints(obj, face)
+        if values != "auto":
+            setattr(obj, f"Joints{face.capitalize()}", [float(value) for value in values])
     obj.StationSpacing, obj.RulePack = station_spacing, rule_pack
     return obj
 
 
-def make_unfold(document, plates):
-    """The Unfold of a PlateSet: its flat patterns."""
+def make_unfold(document, plates, mode: str = "edges"):
+    """The Unfold of a PlateSet: its flat patterns; mode `edges`, `energy` or `elastic`."""
     name = f"{plates.Member.Label} patterns" if plates.Member else "Patterns"
     obj = _new(document, "Part::FeaturePython", name, unfold_object.Unfold)
-    obj.Plates = plates
+    obj.Plates, obj.Mode = plates, mode
     return obj
 
 

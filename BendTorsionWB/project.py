@@ -19,8 +19,9 @@ from BendTorsionWB.core import detailing
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
 from BendTorsionWB.core.lofting import MemberRecord
 from BendTorsionWB.core.sheet_layout import member_sheets
+from BendTorsionWB.document import build_document, read_files
 from BendTorsionWB.exchange import dxf, nc1, report, results_workbook
-from BendTorsionWB.exchange.schedule import MemberRow, Schedule, read_schedule
+from BendTorsionWB.exchange.schedule import Schedule, read_schedule
 from BendTorsionWB.exchange.schedule_jobs import job_of, located
 from BendTorsionWB.exchange.timeless import timeless_document, timeless_step
 from BendTorsionWB.exchange.whole_file import whole_file, write_whole
@@ -83,7 +84,8 @@ def read_jobs(
             for name in unknown
         )
     rows = [row for row in schedule.members if not only or row.name in only]
-    return schedule, {row.name: job_of(schedule, row) for row in rows}
+    files = read_files(schedule, rows)
+    return schedule, {row.name: job_of(schedule, row, files) for row in rows}
 
 
 def compute(
@@ -172,86 +174,6 @@ def _record(
     return detailed.record
 
 
-def build_document(schedule: Schedule, jobs: dict[str, detailing.MemberJob], progress=silent):
-    """A new document with the objects of the jobs' members, not yet recomputed."""
-    import FreeCAD
-
-    from BendTorsionWB import make
-
-    document = FreeCAD.newDocument("model", hidden=True)
-    surfaces, sections = {}, {}
-    for done, name in enumerate(jobs, start=1):
-        row = schedule.member(name)
-        axis_row = schedule.axis(row.axis)
-        if axis_row.surface not in surfaces:
-            surfaces[axis_row.surface] = _make_surface(make, document, schedule, axis_row.surface)
-        for segment in row.segments:
-            if segment.section not in sections:
-                sections[segment.section] = _make_section(make, document, schedule, segment.section)
-        _make_member(make, document, schedule, row, surfaces[axis_row.surface], sections)
-        progress("objects", done, len(jobs))
-    return document
-
-
-def _make_surface(make, document, schedule: Schedule, name: str):
-    import math
-
-    row = schedule.surface(name)
-    sizes = {
-        key: math.degrees(value) if key == "angle" else value for key, value in row.sizes
-    }
-    return make.make_surface(
-        document, name, row.kind, origin=row.centre, offset=row.offset, flip=row.flip, **sizes
-    )
-
-
-def _make_section(make, document, schedule: Schedule, name: str):
-    row = schedule.section(name)
-    grade = schedule.material(row.material)
-    return make.make_section(
-        document, name, row.type,
-        h=row.h, b=row.b, t=row.t_top,
-        t_top=0.0,
-        t_bottom=row.t_bottom if row.t_bottom != row.t_top else 0.0,
-        t_web=row.t_web if row.t_web != row.t_top else 0.0,
-        gap1=row.gap1, gap2=row.gap2,
-        Material=grade.name, Density=grade.density * 1e9,
-        E=f"{grade.E!r} MPa", fy=f"{grade.fy!r} MPa",
-    )
-
-
-def _make_member(make, document, schedule: Schedule, row: MemberRow, surface, sections) -> None:
-    import math
-
-    settings = schedule.settings
-    axis_row = schedule.axis(row.axis)
-    axis = make.make_axis(
-        document, axis_row.name, surface, axis_row.coordinates(), fit=axis_row.fit,
-        tolerance=settings.axis_tolerance, max_spacing=axis_row.max_spacing or 0.0,
-    )
-    segments = []
-    for segment in row.segments:
-        values = {
-            "align": segment.align, "align_to": segment.align_to,
-            "offset_y": segment.offset_y, "offset_z": segment.offset_z,
-        }
-        if segment.cut is not None:
-            values["cut_ratio" if segment.cut.is_ratio else "cut"] = segment.cut.value
-            values["slope"] = segment.slope
-        segments.append(values)
-    member = make.make_member(
-        document, row.name, axis, [sections[s.section] for s in row.segments], segments,
-        offset_y=row.offset_y, offset_z=row.offset_z, roll=math.degrees(row.roll),
-        transition_length=settings.transition_length, rank=row.rank or 0,
-    )
-    joints = {face: s.joints.values for face, s in schedule.splits_of(row.name).items()}
-    plates = make.make_plates(
-        document, member, joints, station_spacing=settings.station_spacing,
-        rule_pack=settings.rule_pack,
-    )
-    make.make_sheets(document, make.make_unfold(document, plates), settings.project)
-
-
 def checked_recompute(document) -> tuple[Finding, ...]:
     """Recompute and return the errors of all objects: `recompute` itself never tells."""
     document.recompute()
@@ -297,7 +219,10 @@ def _write(
                 progress("sheets and cut files", done, len(wanted))
     with timing.stage("step"):
         progress("model", 0, 2)
-        write_step(document, [record.member for record in healthy], out / STEP)
+        if healthy:
+            write_step(document, [record.member for record in healthy], out / STEP)
+        else:
+            (out / STEP).unlink(missing_ok=True)
     with timing.stage("save"):
         progress("model", 1, 2)
         save(document, out / MODEL)

@@ -15,14 +15,14 @@ ELLIPSOID = analytic_surface("ellipsoid", dict(zip("abc", HALF_AXES)))
 
 
 def diagonal(t):
-    """(n, 3): the ellipsoid along a diagonal of its longitude and latitude, 24 m, t in [0, 1]."""
+    """(n, 3): the ellipsoid along a diagonal of its longitude and latitude, 27 m, t in [0, 1]."""
     u, v = 0.35 + 0.7 * np.asarray(t), 0.2 + 0.55 * np.asarray(t)
     unit = np.column_stack([np.cos(v) * np.cos(u), np.cos(v) * np.sin(u), np.sin(v)])
     return unit * HALF_AXES
 
 
 def oblique(t):
-    """(n, 3): an oblique plane section of the ellipsoid (a circle of the unit sphere), 22 m."""
+    """(n, 3): an oblique plane section of the ellipsoid (a circle of the unit sphere), 21 m."""
     normal = np.array([0.55, 0.6, 0.58])
     normal /= np.linalg.norm(normal)
     one = np.cross(normal, [0.0, 0.0, 1.0])
@@ -34,7 +34,7 @@ def oblique(t):
 
 
 def on_torus(t):
-    """(n, 3): a diagonal of the torus 30/8 m."""
+    """(n, 3): a diagonal of the torus 30/8 m, 18 m long."""
     u, v = 0.2 + 0.45 * np.asarray(t), 0.4 + 1.1 * np.asarray(t)
     reach = 30000 + 8000 * np.cos(v)
     return np.column_stack([reach * np.cos(u), reach * np.sin(u), 8000 * np.sin(v)])

@@ -20,7 +20,8 @@ BELOW = {
     "sheets": ("core",),
     "objects": ("shapes", "sheets"),
     "make": ("objects",),
-    "project": ("make", "exchange", "sheets"),
+    "document": ("make", "exchange"),
+    "project": ("document", "make", "exchange", "sheets"),
     "gui": ("project",),
     "__main__": ("project",),
 }

@@ -162,7 +162,7 @@ def test_a_cell_formatted_in_per_cent_is_a_ratio(tmp_path):
     assert cut.is_ratio and cut.value == pytest.approx(0.35)
 
 
-KINDS = "ellipsoid, sphere, cylinder, cone, torus, plane"
+KINDS = "ellipsoid, sphere, cylinder, cone, torus, plane, file"
 FACES = "top, bottom, left, right"
 ALIGNMENTS = f"centre, {FACES}, top-left, top-right, bottom-left, bottom-right"
 # sheet, row, column, bad value, code, limit, a word of the mend
@@ -180,22 +180,21 @@ BAD_CELLS = [
     ("Points", 3, "axis", "A9", "unknown-name", None, "sheet Axes"),
     ("Axes", 2, "surface", "hal", "unknown-name", None, "did you mean Hall"),
     ("Axes", 3, "axis", "A1", "duplicate", None, "delete or rename"),
-    ("Axes", 2, "frame", "minimal", "not-supported-yet", "surface", "use surface"),
-    ("Axes", 2, "frame", "sruface", "unknown-value", "surface", "did you mean surface"),
-    ("Axes", 2, "fit", "offset", "not-supported-yet", "pull, keep", "use pull, keep"),
-    ("Axes", 2, "closed", "yes", "not-supported-yet", "no", "write no"),
+    ("Axes", 2, "frame", "given", "frame-table-empty", None, "sheet Frames"),
+    ("Axes", 2, "frame", "sruface", "unknown-value", "surface, minimal, fixed, given",
+     "did you mean surface"),
+    ("Axes", 2, "fit", "shove", "unknown-value", "pull, keep, offset", "use one of pull"),
     ("Axes", 2, "closed", "perhaps", "unknown-value", "yes, no", "yes or no"),
-    ("Axes", 2, "source", "hall.step#A1", "not-supported-yet", None, "sheet Points"),
-    ("Axes", 2, "start_z", 0, "not-supported-yet", None, "empty the cell"),
-    ("Axes", 2, "end_z", 0, "not-supported-yet", None, "empty the cell"),
-    ("Axes", 2, "start_dz", 5, "not-supported-yet", None, "empty the cell"),
-    ("Axes", 2, "end_dz", 5, "not-supported-yet", None, "empty the cell"),
-    ("Axes", 2, "start_extension", 5, "not-supported-yet", None, "empty the cell"),
-    ("Axes", 2, "end_extension", 5, "not-supported-yet", None, "empty the cell"),
+    ("Axes", 2, "source", "hall.step#A1", "source-and-points", None, "sheet Points"),
+    ("Axes", 2, "source", "hall.pdf#A1", "file-kind",
+     ".dxf, .step, .stp, .iges, .igs, .brep, .brp", "ending in .dxf"),
+    ("Axes", 2, "start_z", "high", "not-a-number", None, "write a number"),
+    ("Axes", 2, "end_extension", "nan", "not-finite", None, "write a number"),
     ("Axes", 2, "max_spacing", 0, "out-of-range", "above 0", "above 0"),
-    ("Surfaces", 2, "kind", "file", "not-supported-yet", KINDS, "use ellipsoid"),
     ("Surfaces", 2, "kind", "spere", "unknown-value", KINDS, "did you mean sphere"),
-    ("Surfaces", 2, "file", "hall.step", "not-supported-yet", None, "empty the cell"),
+    ("Surfaces", 2, "file", "hall.step", "file-not-used", None, "kind file"),
+    ("Surfaces", 2, "file", "hall.txt", "file-kind",
+     ".step, .stp, .iges, .igs, .brep, .brp", "ending in .step"),
     ("Surfaces", 2, "parameters", "r=-1", "out-of-range", "above 0", "sphere takes r="),
     ("Surfaces", 2, "parameters", "r=1 q=2", "bad-parameters", None, "sphere takes r="),
     ("Surfaces", 2, "parameters", "x=1", "bad-parameters", None, "sphere takes r="),
@@ -245,7 +244,6 @@ BAD_CELLS = [
     ("Splits", 2, "joints", "0.4 0.8 1.2", "joints-mixed", "at most 1", "ratios up to 1"),
     ("Splits", 2, "joints", "0.4 x", "not-a-number", None, "rising ratios"),
     ("Splits", 2, "joints", "0 0.5", "out-of-range", "above 0", "rising ratios"),
-    ("Splits", 2, "joints", "auto", "not-supported-yet", None, "ratios"),
     ("Splits", 2, "joints", None, "value-missing", None, "fill in joints"),
     ("Settings", 2, "key", "station_spacin", "unknown-name", None, "did you mean station_spacing"),
     ("Settings", 3, "key", "station_spacing", "duplicate", None, "delete or rename"),
@@ -315,16 +313,68 @@ def test_a_missing_or_empty_sheet_is_one_finding(read, sheet):
     assert (finding.code, finding.position) == ("sheet-missing", f"sheet {sheet}")
     assert sheet in finding.mend
     found = findings(read, {}, lambda sheets: sheets.update({sheet: sheets[sheet][:1]}))
-    assert found[0].code in ("sheet-empty", "unknown-name")
-    assert "sheet-empty" in [finding.code for finding in found]
+    assert found[0].code in ("sheet-empty", "unknown-name", "too-few-points")
+    assert {"sheet-empty", "too-few-points"} & {finding.code for finding in found}
     finding = one(read, {}, lambda sheets: sheets.update({sheet: []}))
     assert (finding.code, finding.position) == ("heading-missing", f"sheet {sheet}, row 1")
+
+
+FRAMES = [["axis", "s", "angle", "x", "y", "z"], ["A1", "0%", 5], ["A1", "60%", 30]]
+PRESETS = [["axis", "s", "dx", "dz"], ["A1", 0, None, 10], ["A1", 9000, 5, 40]]
+
+
+def test_frames_presets_and_sources_are_read(read):
+    def more(sheets):
+        sheets["Frames"], sheets["Presets"] = FRAMES, PRESETS
+        sheets["Axes"] = [["axis", "surface", "frame", "closed", "end_z"],
+                          ["A1", "Hall", "given", "yes", 7000], ["A2", "Roof", None, None, None]]
+        sheets["Axes"][0].append("source")
+        sheets["Axes"][2].append("lines/axes.dxf # ridge")
+        sheets["Surfaces"][0].append("file")
+        sheets["Surfaces"].append(["Roof", "file", None, "roof.step"])
+
+    schedule = read({}, more)
+    first, second = schedule.axis("A1"), schedule.axis("A2")
+    assert (first.frame, first.closed, first.end_z, first.start_z) == ("given", True, 7000, None)
+    assert [(row.s.value, row.angle) for row in first.frames] == [
+        (0.0, pytest.approx(math.radians(5))), (0.6, pytest.approx(math.radians(30)))]
+    assert [(row.s.value, row.move) for row in first.presets] == [(0, (0, 0, 10)),
+                                                                   (9000, (5, 0, 40))]
+    assert (second.source.file, second.source.part) == ("lines/axes.dxf", "ridge")
+    assert second.coordinates().shape == (0, 3)
+    assert schedule.surface("Roof").file.file == "roof.step"
+    assert Path(schedule.folder).is_dir()
+
+
+@pytest.mark.parametrize(
+    ("sheet", "row", "cells", "code", "column"),
+    [
+        ("Frames", 3, ["A1", 900, 30], "places-mixed", "s"),
+        ("Frames", 3, ["A1", "0%", 30], "places-not-rising", "s"),
+        ("Frames", 3, ["A1", "120%", 30], "out-of-range", "s"),
+        ("Frames", 3, ["A1", "60%"], "frame-row", "angle"),
+        ("Frames", 3, ["A1", "60%", 5, 0, 0, 1], "frame-row", "angle"),
+        ("Frames", 3, ["A1", "60%", None, 0, 1], "frame-row", "x"),
+        ("Frames", 3, ["A1", "60%", None, 0, 0, 1], "frame-row", "x"),
+        ("Frames", 3, ["A7", "60%", 30], "unknown-name", "axis"),
+        ("Presets", 3, ["A1", -5, 30], "out-of-range", "s"),
+        ("Presets", 3, ["A1", 0, 30], "places-not-rising", "s"),
+        ("Presets", 3, ["A1", 100, "up"], "not-a-number", "dx"),
+    ],
+)
+def test_a_bad_row_of_frames_or_presets_is_one_finding(read, sheet, row, cells, code, column):
+    def more(sheets):
+        sheets["Frames"], sheets["Presets"] = copy.deepcopy(FRAMES), copy.deepcopy(PRESETS)
+        sheets[sheet][row - 1] = cells
+
+    finding = one(read, {}, more)
+    assert (finding.code, finding.position) == (code, f"sheet {sheet}, row {row}, column {column}")
 
 
 def test_optional_sheets_may_be_missing(read):
     def bare(sheets):
         for name in columns.OPTIONAL_SHEETS:
-            sheets.pop(name)
+            sheets.pop(name, None)
 
     schedule = read({("Sections", 3, "material"): None}, bare)
     assert schedule.settings.default_slope == 2.5

@@ -293,7 +293,7 @@ def test_text_width_is_never_less_than_the_fonts():
         ["/usr/bin/python3", "-c", script],
         input="\n".join(samples),
         capture_output=True,
-        text=True,
+        encoding="utf-8",
         check=True,
     )
     real = [float(value) for value in done.stdout.split()]

@@ -1,30 +1,50 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The member axis: a curve fitted through given points, pulled onto the surface, by arc length."""
+"""The member axis by arc length: through given points, on its surface, or along an exact curve."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
-from scipy.interpolate import make_interp_spline
 
 from . import tolerances
+from .axis_check import (
+    checked_curve,
+    checked_feet,
+    checked_points,
+    checked_shape,
+    moved_findings,
+)
+from .axis_fit import (
+    NO_RULES,
+    Fit,
+    Refinement,
+    chord_length,
+    interpolate,
+    merge_close,
+    pulled,
+    refined_parameters,
+)
 from .curve import Curve
-from .finding import BendTorsionError, Finding, error, note, warning
+from .curve_edit import arc_length, turned
+from .finding import Finding, note
 from .piecewise import Piecewise, resolve
-from .surface import Surface
+from .surface import Offset, Surface
 
-LONGEST_PULL = 12
-"""Rounds of refinement; each at least halves the spans that miss the tolerance."""
+FITS = ("pull", "keep", "offset")
 
 
 @dataclass(frozen=True, eq=False)
 class Axis:
-    """An axis by arc length s (mm, from its start).
+    """An axis by arc length s (mm, from its trimmed start).
 
     curve: the NURBS curve; position: s -> (3,). given: (k, 3) the points as given; moved: (k,) how
     far each was pulled (zeros when kept). control: (c, 3) the points the curve interpolates.
+    closed: the end is the start, C2 there. offset: mm from the surface it is meant to run at.
+    through: the curve through the given points before anything was pulled or added. trimmed: mm
+    added at start and end (negative: cut off). A fabrication axis carries the `design` axis it
+    was displaced from, and design_place: its own s -> s of the design axis.
     """
 
     name: str
@@ -34,6 +54,12 @@ class Axis:
     moved: np.ndarray
     control: np.ndarray
     findings: tuple[Finding, ...] = field(default=())
+    closed: bool = False
+    offset: float = 0.0
+    through: Curve | None = None
+    trimmed: tuple[float, float] = (0.0, 0.0)
+    design: Axis | None = None
+    design_place: Piecewise | None = None
 
     @property
     def length(self) -> float:
@@ -45,12 +71,40 @@ class Axis:
         """Unit tangent dC/ds."""
         return self.position.derivative
 
+    def surface_points(self, s: np.ndarray) -> np.ndarray:
+        """Points (m, 3) whose surface normals the frames take: of the design axis if there is
+        one, else of the axis itself."""
+        if self.design is None:
+            return self.position(s)
+        return self.design.position(self.design_place(s)[:, 0])
+
+    @property
+    def control_design(self) -> np.ndarray:
+        """The control points (c, 3) on the design axis; `control` where there is no preset."""
+        return self.control if self.design is None else self.design.control
+
     def distance_to(self, surface: Surface, samples: int = 1001) -> tuple[float, float]:
-        """RMS and largest distance of the curve itself to the surface, mm, at even parameters."""
+        """RMS and largest distance of the curve itself to the surface (to its offset where the
+        axis has one; of the design axis where there is one), mm, at even parameters."""
+        if self.design is not None:
+            return self.design.distance_to(surface, samples)
         first, last = self.curve.domain
         points = self.curve.evaluate(np.linspace(first, last, samples))[0]
-        distance = np.abs(surface.closest(points).distance)
+        distance = np.abs(surface.closest(points).distance - self.offset)
         return float(np.sqrt(np.mean(distance**2))), float(distance.max())
+
+    def curvature(self, s: np.ndarray) -> np.ndarray:
+        """Curvature vectors (m, 3), 1/mm, at arc lengths s (m,)."""
+        return self.tangent.derivative(s)
+
+    @cached_property
+    def least_radius(self) -> tuple[float, float]:
+        """The smallest radius of curvature, mm (inf when straight), and where, s in mm."""
+        s = np.unique(self.position.nodes.ravel())
+        curvature = np.linalg.norm(self.curvature(s), axis=1)
+        worst = int(np.argmax(curvature))
+        straight = curvature[worst] * self.length < 1e-9
+        return (np.inf if straight else float(1.0 / curvature[worst])), float(s[worst])
 
     def place_of(self, points: np.ndarray) -> np.ndarray:
         """Arc length (m,) of the point of the axis nearest to each of points (m, 3)."""
@@ -68,6 +122,23 @@ class Axis:
                 break
         return place
 
+    def turned(self) -> Axis:
+        """The axis run through backwards; the given points keep their numbers."""
+        ends = self.position
+        position = Piecewise(ends.end - ends.breaks[::-1], ends.values[::-1, ::-1].copy())
+        return replace(
+            self,
+            curve=turned(self.curve),
+            position=position,
+            control=self.control[::-1],
+            through=None if self.through is None else turned(self.through),
+            trimmed=self.trimmed[::-1],
+        )
+
+    def with_findings(self, findings) -> Axis:
+        """The axis with these findings before its own."""
+        return replace(self, findings=(*findings, *self.findings)) if findings else self
+
 
 def fit_axis(
     name: str,
@@ -76,73 +147,136 @@ def fit_axis(
     fit: str = "pull",
     tolerance: float = tolerances.AXIS_ON_SURFACE,
     max_spacing: float | None = None,
+    *,
+    closed: bool = False,
+    offset: float | None = None,
+    refinement: Refinement = NO_RULES,
+    start_tangent: np.ndarray | None = None,
+    end_tangent: np.ndarray | None = None,
+    numbers: np.ndarray | None = None,
 ) -> Axis:
     """The axis through ordered points (k, 3) in mm.
 
     Cubic B-spline, weights 1, chord-length parameters, not-a-knot ends (2 points: line, 3:
-    parabola). `pull` adds points on the first fit, never on its chords, and pulls them onto the
-    surface until a quarter, half and three quarters of every span are within `tolerance` of it;
-    given points are pulled too. `keep` leaves the curve where the points put it. max_spacing:
-    largest distance of neighbouring control points (paper Eq. 2 with n = ceil(L/m), the points
-    taken on the curve). Raises BendTorsionError for fewer than two distinct finite points.
+    parabola), tangents where given, periodic when closed. `pull` adds points on the first fit,
+    never on its chords, and pulls them onto the surface until a quarter, half and three quarters
+    of every span are within `tolerance` of it; given points are pulled too. `offset` does the
+    same at `offset` mm from the surface along its normals (None: the points' mean). `keep` leaves
+    the curve where the points put it. max_spacing and refinement: rules for more control points.
+    numbers (k,): how findings call the points, 1, 2, … when None. Raises BendTorsionError for
+    points no axis can be made from.
     """
     given = np.array(points, float).reshape(-1, 3)
-    findings = _checked(name, given)
-    kept, merged = _merge_close(given)
+    numbers = np.arange(1, len(given) + 1) if numbers is None else np.asarray(numbers)
+    findings = checked_points(name, given, numbers, closed)
+    ring = given[:-1] if closed and _meets(given) else given
+    target, distance = _target(name, given, surface, fit, offset, findings)
+    findings += checked_feet(name, given, numbers, surface, fit, distance)
+    kept, merged = merge_close(ring, closed)
     findings += [
         note(
             "axis-point-merged",
             name,
             "point is closer to its neighbour than 0.15 of the mean gap and was left out",
-            position=f"point {index + 1}",
+            position=f"point {numbers[index]}",
         )
         for index in merged
     ]
-    base = given[kept]
-    parameters = _chord_length(base)
-    first_fit = _interpolate(parameters, base)
-    control, moved = base, np.zeros(len(given))
+    base = ring[kept]
+    if closed:
+        base = np.vstack([base, base[:1]])
     if max_spacing:
-        counts = np.ceil(np.diff(parameters) / max_spacing).astype(int)
-        parameters = _subdivided(parameters, counts)
-        control = first_fit.evaluate(parameters)[0]
-    curve = _interpolate(parameters, control) if max_spacing else first_fit
-    if fit == "pull" and surface is not None:
-        moved = np.abs(surface.closest(given).distance)
-        curve, control, pulled = _pull(name, first_fit, parameters, surface, tolerance)
-        findings += pulled + [
-            warning(
-                "axis-point-moved",
-                name,
-                "given point lies off the surface and was pulled onto it",
-                "check the point, or use fit = keep",
-                position=f"point {index + 1}",
-                value=float(moved[index]),
-                limit=tolerances.POINT_MOVED_WARNING,
-                unit="mm",
-            )
-            for index in np.flatnonzero(moved > tolerances.POINT_MOVED_WARNING)
-        ]
-    return Axis(name, curve, arc_length_position(curve), given, moved, control, tuple(findings))
+        refinement = replace(refinement, max_spacing=max_spacing)
+    tangents = (start_tangent, end_tangent)
+    parameters = chord_length(base)
+    through = interpolate(parameters, base, closed, tangents)
+    first = Fit(through, parameters, base)
+    if refinement != NO_RULES:
+        parameters = refined_parameters(first, refinement, target)
+        control = through.evaluate(parameters)[0]
+        if closed:
+            control[-1] = control[0]
+        first = Fit(through, parameters, control)
+    moved = np.zeros(len(given))
+    if target is None:
+        final = replace(first, curve=interpolate(parameters, first.control, closed, tangents))
+    else:
+        moved = np.linalg.norm(target.closest(given).points - given, axis=1)
+        final, off = pulled(name, first, target, tolerance, closed, tangents)
+        # Points on the surface are as good as points on its offset: both say what is meant.
+        astray = moved if not distance else np.minimum(
+            moved, np.linalg.norm(surface.closest(given).points - given, axis=1)
+        )
+        findings += [*off, *moved_findings(name, given, numbers, astray, tolerance)]
+    position = arc_length_position(final.curve, closed)
+    findings += checked_shape(name, position, closed)
+    return Axis(name, final.curve, position, given, moved, final.control, tuple(findings), closed,
+                distance, through)
 
 
-def axis_from_curve(name: str, curve: Curve) -> Axis:
-    """The axis that runs along an exact curve, used as it is."""
-    position = arc_length_position(curve)
+def fit_uncertainty(
+    name: str,
+    points: np.ndarray,
+    surface: Surface | None = None,
+    fit: str = "pull",
+    tolerance: float = tolerances.AXIS_ON_SURFACE,
+    closed: bool = False,
+    offset: float | None = None,
+) -> np.ndarray:
+    """What the points cannot tell: distance (k,) mm of each from the axis that leaves it out.
+
+    Two fits, each through the ends and every other point. 0 at the ends and where fewer than
+    five points leave nothing to compare. The fit through all points is some ten times nearer to
+    the curve meant, where that is smooth.
+    """
+    given = np.array(points, float).reshape(-1, 3)
+    ring = given[:-1] if closed and _meets(given) else given
+    count = len(ring)
+    out = np.zeros(len(given))
+    if count < 5:
+        return out
+    target, _ = _target(name, ring, surface, fit, offset, [])
+    for start in (0, 1):
+        used = np.zeros(count, bool)
+        used[start::2] = True
+        if not closed:
+            used[[0, -1]] = True
+        base = np.vstack([ring[used], ring[used][:1]]) if closed else ring[used]
+        parameters = chord_length(base)
+        through = Fit(interpolate(parameters, base, closed), parameters, base)
+        left = ring[~used]
+        if target is not None:
+            through, _ = pulled(name, through, target, tolerance, closed)
+            left = target.closest(left).points
+        half = Axis(name, through.curve, arc_length_position(through.curve, closed), base,
+                    np.zeros(len(base)), base)
+        nearest = half.position(half.place_of(left))
+        out[np.flatnonzero(~used)] = np.linalg.norm(nearest - left, axis=1)
+    return out
+
+
+def axis_from_curve(
+    name: str, curve: Curve, surface: Surface | None = None, findings: tuple[Finding, ...] = ()
+) -> Axis:
+    """The axis that runs along an exact curve, used as it is.
+
+    Closed when its ends meet without a kink. With a surface, a curve far from it is found out.
+    Raises BendTorsionError for a curve with kinks or that crosses itself.
+    """
+    closed, found = checked_curve(name, curve, surface)
+    position = arc_length_position(curve, closed)
     ends = position(np.array([0.0, position.end]))
-    return Axis(name, curve, position, ends, np.zeros(2), ends)
+    found += checked_shape(name, position, closed)
+    return Axis(name, curve, position, ends, np.zeros(2), ends, (*findings, *found), closed,
+                through=curve)
 
 
-def arc_length_position(curve: Curve) -> Piecewise:
+def arc_length_position(curve: Curve, closed: bool = False) -> Piecewise:
     """Position by arc length: the curve's parameter is inverted by Newton at every node."""
     breaks = curve.breaks
     size = float(np.abs(curve.poles).max()) + 1.0
-
-    def speed(u: np.ndarray) -> np.ndarray:
-        return np.linalg.norm(curve.evaluate(u, 1)[1], axis=1)[:, None]
-
-    rate = resolve(speed, breaks, float(speed(breaks).max()))
-    arc = rate.antiderivative()
+    arc = arc_length(curve)
+    rate = arc.derivative
     knots_s = arc(breaks)[:, 0]
     knots_s[0] = 0.0
 
@@ -155,114 +289,29 @@ def arc_length_position(curve: Curve) -> Piecewise:
                 break
         return curve.evaluate(u)[0]
 
-    return resolve(position, knots_s, size)
+    found = resolve(position, knots_s, size)
+    if closed:
+        found.values[-1, -1] = found.values[0, 0]
+    return found
 
 
-def _checked(name: str, given: np.ndarray) -> list[Finding]:
-    if not np.isfinite(given).all():
-        bad = int(np.flatnonzero(~np.isfinite(given).all(axis=1))[0]) + 1
-        raise BendTorsionError(
-            error(
-                "axis-point-not-a-number",
-                name,
-                "coordinate is not a finite number",
-                "give x, y and z in mm",
-                position=f"point {bad}",
-            )
+def _meets(points: np.ndarray) -> bool:
+    return bool(np.linalg.norm(points[-1] - points[0]) <= tolerances.POINTS_COINCIDE)
+
+
+def _target(
+    name: str, given: np.ndarray, surface: Surface | None, fit: str, offset: float | None,
+    findings: list[Finding],
+) -> tuple[Surface | None, float]:
+    """What the points are pulled onto (None: nothing) and its distance from the surface."""
+    if surface is None or fit == "keep":
+        return None, 0.0
+    if fit == "pull":
+        return surface, 0.0
+    if offset is None:
+        offset = float(surface.closest(given).distance.mean())
+        findings.append(
+            note("axis-offset-measured", name, "distance from the surface taken from the points",
+                 "give the offset to hold another one", value=offset, unit="mm")
         )
-    if len(given) < 2:
-        raise BendTorsionError(
-            error(
-                "axis-too-few-points",
-                name,
-                "an axis needs at least two points",
-                "add points",
-                value=len(given),
-                limit=2,
-            )
-        )
-    gaps = np.linalg.norm(np.diff(given, axis=0), axis=1)
-    if (gaps < tolerances.POINTS_COINCIDE).any():
-        index = int(np.argmin(gaps))
-        raise BendTorsionError(
-            error(
-                "axis-points-coincide",
-                name,
-                f"points {index + 1} and {index + 2} coincide",
-                "delete one of them",
-                position=f"point {index + 2}",
-                value=float(gaps[index]),
-                limit=tolerances.POINTS_COINCIDE,
-                unit="mm",
-            )
-        )
-    return []
-
-
-def _merge_close(given: np.ndarray) -> tuple[np.ndarray, list[int]]:
-    """Indices kept and left out: inner points closer than 0.15 of the mean gap to the last kept."""
-    gaps = np.linalg.norm(np.diff(given, axis=0), axis=1)
-    least = tolerances.MERGE_FRACTION_OF_MEAN_GAP * gaps.mean()
-    kept, dropped = [0], []
-    for index in range(1, len(given) - 1):
-        near_last = np.linalg.norm(given[index] - given[kept[-1]]) < least
-        near_end = np.linalg.norm(given[index] - given[-1]) < least
-        (dropped if near_last or near_end else kept).append(index)
-    return np.array([*kept, len(given) - 1]), dropped
-
-
-def _chord_length(points: np.ndarray) -> np.ndarray:
-    """Chord-length parameters in mm (full order: Floater & Surazhsky 2006)."""
-    return np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
-
-
-def _interpolate(parameters: np.ndarray, points: np.ndarray) -> Curve:
-    """Interpolating B-spline, not-a-knot ends (paper Eq. 1 with weights 1)."""
-    degree = min(3, len(points) - 1)
-    spline = make_interp_spline(parameters, points, k=degree)
-    return Curve(degree, spline.t, spline.c)
-
-
-def _subdivided(parameters: np.ndarray, counts: np.ndarray) -> np.ndarray:
-    """Parameters with span i cut into counts[i] even parts."""
-    parts = [
-        np.linspace(a, b, n + 1)[:-1]
-        for a, b, n in zip(parameters[:-1], parameters[1:], np.maximum(counts, 1), strict=True)
-    ]
-    return np.concatenate([*parts, parameters[-1:]])
-
-
-def _pull(
-    name: str, first_fit: Curve, parameters: np.ndarray, surface: Surface, tolerance: float
-) -> tuple[Curve, np.ndarray, list[Finding]]:
-    """Refine `parameters` and refit through pulled points until all spans are on the surface."""
-    fractions = np.array([0.25, 0.5, 0.75])
-    for _ in range(LONGEST_PULL):
-        control = surface.closest(first_fit.evaluate(parameters)[0]).points
-        curve = _interpolate(parameters, control)
-        spans = np.diff(parameters)
-        checks = parameters[:-1, None] + spans[:, None] * fractions
-        distance = np.abs(surface.closest(curve.evaluate(checks.ravel())[0]).distance)
-        worst = distance.reshape(checks.shape).max(axis=1)
-        counts = np.where(
-            worst > tolerance, np.maximum(2, np.ceil((2 * worst / tolerance) ** 0.25)), 1
-        ).astype(int)
-        if (counts == 1).all():
-            return curve, control, []
-        parameters = _subdivided(parameters, np.minimum(counts, 8))
-    return (
-        curve,
-        control,
-        [
-            warning(
-                "axis-off-surface",
-                name,
-                "the axis could not be pulled onto the surface within tolerance",
-                "add points where the surface bends sharply",
-                position=f"s near {checks[int(np.argmax(worst)), 1]:.0f} mm",
-                value=float(worst.max()),
-                limit=tolerance,
-                unit="mm",
-            )
-        ],
-    )
+    return Offset(surface, offset), offset

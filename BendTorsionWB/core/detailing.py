@@ -7,40 +7,34 @@ line call these and nothing below them.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from . import tolerances
-from .axis import Axis, axis_from_curve, fit_axis
-from .curve import Curve
-from .finding import Finding, error, warning
-from .frames import surface_frames, torsion_angle
-from .lofting import MemberRecord
+from .axis import Axis
+from .axis_input import AxisInput, AxisUncertainty, axis_from, axis_uncertainty
+from .finding import BendTorsionError, Finding, error, has_error, warning
+from .forming import FormingRules
+from .frames import FrameInput, frames_of, torsion_angle, wanted_z
+from .lofting import DevelopedPlate, MemberRecord
 from .member import Member
 from .memo import memoised, remember
 from .pattern import develop_plate
 from .plates import JointRules, Joints, Plate, split_plates
-from .skin import SkinPiece, skin
+from .skin import SkinPiece, skin, skins
+from .strips import rails_between
 from .surface import Surface
+from .surface_check import size_findings, surface_findings
+from .volume import skin_volumes
 from .zones import Segment, section_law
-
-
-@dataclass(frozen=True, eq=False)
-class AxisInput:
-    """What an axis is made from: ordered points (k, 3), or an exact curve used as it is."""
-
-    name: str
-    points: np.ndarray | None = None
-    curve: Curve | None = None
-    fit: str = "pull"
-    tolerance: float = tolerances.AXIS_ON_SURFACE
-    max_spacing: float | None = None
 
 
 @dataclass(frozen=True)
 class MemberInput:
-    """What a member is made from, its axis and surface apart. roll in radians."""
+    """What a member is made from, its axis and surface apart. roll in radians, added to that of
+    the frame."""
 
     name: str
     segments: tuple[Segment, ...]
@@ -48,24 +42,27 @@ class MemberInput:
     offset_z: float = 0.0
     roll: float = 0.0
     transition_length: str = "face"
+    frame: FrameInput = FrameInput()
 
 
 @dataclass(frozen=True)
 class PlatesInput:
-    """Joints per face, spacing of measuring lines and the rules joints are checked by."""
+    """Joints per face, spacing of measuring lines and the rules joints are checked by and plates
+    formed by."""
 
     joints: dict[str, Joints] = field(default_factory=dict)
     station_spacing: float = 500.0
     rules: JointRules | None = None
+    forming: FormingRules = FormingRules()
 
 
 @dataclass(frozen=True, eq=False)
 class MemberGeometry:
-    """A member with the surface it came from and what was found on the way."""
+    """A member with the surface and frame it came from and what was found on the way."""
 
     member: Member
     surface: Surface
-    roll: float
+    frame: FrameInput
     findings: tuple[Finding, ...]
 
 
@@ -79,11 +76,12 @@ class PlateGeometry:
 
 @dataclass(frozen=True, eq=False)
 class MemberPlates:
-    """All plates of a member."""
+    """All plates of a member and what they were cut by."""
 
     geometry: MemberGeometry
     plates: tuple[PlateGeometry, ...]
     findings: tuple[Finding, ...]
+    given: PlatesInput
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,18 +93,35 @@ class Skins:
 
 @memoised
 def axis_of(given: AxisInput, surface: Surface | None) -> Axis:
-    """The axis; raises BendTorsionError as fit_axis does."""
-    if given.curve is not None:
-        return axis_from_curve(given.name, given.curve)
-    return fit_axis(
-        given.name, given.points, surface, given.fit, given.tolerance, given.max_spacing
-    )
+    """The axis; raises BendTorsionError as axis_from does."""
+    return axis_from(given, surface)
+
+
+@memoised
+def uncertainty_of(given: AxisInput, surface: Surface | None) -> AxisUncertainty:
+    """What the axis's points leave open."""
+    return axis_uncertainty(given, surface)
 
 
 @memoised
 def member_of(given: MemberInput, axis: Axis, surface: Surface) -> MemberGeometry:
-    """Frames and section law; raises BendTorsionError for what cannot be built."""
-    frames = surface_frames(axis, surface, given.roll)
+    """Frames and section law; raises BendTorsionError for what cannot be built, with what was
+    found about the surface when that may be why."""
+    frame = replace(given.frame, roll=given.frame.roll + given.roll)
+    found = [
+        *size_findings(surface, given.name),
+        *surface_findings(surface, axis, frame.kind == "surface"),
+    ]
+    if has_error(found):
+        raise BendTorsionError(found)
+    try:
+        frames = frames_of(axis, surface, frame)
+        return _geometry(given, axis, surface, frame, frames, found)
+    except BendTorsionError as problem:
+        raise BendTorsionError((*found, *problem.findings)) from problem
+
+
+def _geometry(given, axis, surface, frame, frames, found) -> MemberGeometry:
     law = section_law(
         given.name,
         given.segments,
@@ -117,7 +132,7 @@ def member_of(given: MemberInput, axis: Axis, surface: Surface) -> MemberGeometr
     )
     member = Member(given.name, frames, law)
     member.check_bend()
-    return MemberGeometry(member, surface, given.roll, (*axis.findings, *law.findings))
+    return MemberGeometry(member, surface, frame, (*axis.findings, *found, *law.findings))
 
 
 @memoised
@@ -128,54 +143,106 @@ def plates_of(geometry: MemberGeometry, given: PlatesInput) -> MemberPlates:
     )
     return MemberPlates(
         geometry,
-        tuple(PlateGeometry(plate, _plate_skin(plate)) for plate in plates),
+        tuple(map(PlateGeometry, plates, _plate_skins(plates))),
         (*geometry.findings, *findings),
+        given,
     )
 
 
 def _plate_skin(plate: Plate) -> tuple[SkinPiece, ...]:
     """The skin in ring order: outer first, outer second, inner second, inner first."""
-    rails = plate.rails
-    pieces = skin((rails.outer, rails.inner), (rails.boundaries, rails.inner_folds))
-    return tuple(SkinPiece(piece.knots, piece.poles[[0, 1, 3, 2]]) for piece in pieces)
+    return _plate_skins([plate])[0]
+
+
+def _plate_skins(plates: Sequence[Plate]) -> list[tuple[SkinPiece, ...]]:
+    """Skins refined until each holds its plate's volume well within VOLUME_RELATIVE."""
+    done: dict[int, tuple[SkinPiece, ...]] = {}
+    pending, tolerance = list(range(len(plates))), tolerances.SKIN_CORNER
+    while pending:
+        groups = [plates[i].rails for i in pending]
+        made = _in_ring_order(skins(
+            [((r.outer, r.inner), (r.outer_folds, r.inner_folds)) for r in groups],
+            tolerance=tolerance,
+        ))
+        done.update(zip(pending, made, strict=True))
+        tolerance /= 16.0
+        pending = [
+            i for i, volume in zip(pending, skin_volumes(made), strict=True)
+            if abs(volume / plates[i].volume - 1.0) > 0.25 * tolerances.VOLUME_RELATIVE
+            and tolerance > tolerances.INTERPOLATION_RELATIVE * 1e6
+        ]
+    return [done[i] for i in range(len(plates))]
+
+
+def _in_ring_order(made: Sequence[tuple[SkinPiece, ...]]) -> list[tuple[SkinPiece, ...]]:
+    return [
+        tuple(SkinPiece(piece.knots, piece.poles[[0, 1, 3, 2]]) for piece in pieces)
+        for pieces in made
+    ]
 
 
 @memoised
 def member_skins(geometry: MemberGeometry) -> Skins:
-    """The outer skin of a member, one tube per stretch without a step."""
+    """The outer skin of a member: of a closed section one tube per stretch without a step, of an
+    open one its strips between the joints the section asks for."""
     member = geometry.member
+    if member.law.sections[0].closed:
+        return Skins(_corner_tubes(member))
+    edges = [0.0, *member.law.joints, member.length]
+    rails = rails_between(
+        member,
+        [(k, a, b) for k in range(len(member.law.strips))
+         for a, b in zip(edges[:-1], edges[1:], strict=True)],
+    )
+    return Skins(tuple(_in_ring_order(
+        skins([((r.outer, r.inner), (r.outer_folds, r.inner_folds)) for r in rails])
+    )))
+
+
+def _corner_tubes(member: Member) -> tuple[tuple[SkinPiece, ...], ...]:
+    """The corner lines: a tube between steps, a piece of it between folds and ends of smooth
+    transitions."""
     edges = [0.0, *_steps(member), member.length]
-    folds = member.law.folds
-    return Skins(
-        tuple(
-            skin((member.corners(a, b),), (tuple(f for f in folds if a < f < b),))
-            for a, b in zip(edges[:-1], edges[1:], strict=True)
-        )
+    cells = member.law.cells
+    # Smooth transitions have no folds, but their curvature begins and ends abruptly.
+    folds = sorted({*member.law.folds, *(
+        after.start for before, after in zip(cells, cells[1:], strict=False)
+        if before.corner_bends is not None or after.corner_bends is not None
+    )})
+    return tuple(
+        skin((member.corners(a, b),), (tuple(f for f in folds if a < f < b),))
+        for a, b in zip(edges[:-1], edges[1:], strict=True)
     )
 
 
 @memoised
-def record_of(plates: MemberPlates) -> MemberRecord:
-    """The lofting record of a member: flat patterns and the figures reported, recomputed."""
+def record_of(plates: MemberPlates, mode: str = "edges") -> MemberRecord:
+    """The lofting record of a member: flat patterns and the figures reported, recomputed.
+
+    mode: how plates are laid flat, one of pattern.MODES.
+    """
     geometry = plates.geometry
     member = geometry.member
-    developed = tuple(develop_plate(item.plate) for item in plates.plates)
+    developed = tuple(
+        develop_plate(item.plate, mode=mode, rules=plates.given.forming) for item in plates.plates
+    )
     rms, largest = member.frames.axis.distance_to(geometry.surface)
     findings = list(plates.findings)
     for plate in developed:
         twist_width = np.sqrt(8.0 * plate.strain_max)
-        if twist_width > tolerances.LOCKED_IN_TWIST_WIDTH:
+        if mode == "edges" and twist_width > tolerances.LOCKED_IN_TWIST_WIDTH:
             findings.append(
                 warning(
                     "locked-in-stress",
                     plate.mark,
                     "laying the plate flat locks in a membrane stress that the shop will feel",
-                    "shorten or narrow the plate, or form it hot",
+                    "lay it flat with mode energy, narrow the plate, or form it hot",
                     value=float(plate.locked_in_stress),
                     limit=float(tolerances.LOCKED_IN_TWIST_WIDTH**2 / 8 * 206000.0),
                     unit="MPa",
                 )
             )
+        findings += _beyond_stock(plate, plates.given.rules)
     sections = []
     for section in member.law.sections:
         if not sections or sections[-1] != section.title:
@@ -197,16 +264,31 @@ def record_of(plates: MemberPlates) -> MemberRecord:
     )
 
 
+def _beyond_stock(plate: DevelopedPlate, rules: JointRules | None) -> list[Finding]:
+    """Warnings for a pattern longer or wider than the stock of the rules."""
+    if rules is None:
+        return []
+    return [
+        warning("beyond-stock", plate.mark, f"the pattern is {what} than the stock", mend,
+                value=size, limit=limit, unit="mm")
+        for what, size, limit, mend in (
+            ("longer", plate.length, rules.longest_piece, "give it a joint, or order longer stock"),
+            ("wider", plate.width, rules.widest_piece, "give it a joint, or order wider stock"),
+        )
+        if size > limit
+    ]
+
+
 def torsion_error(geometry: MemberGeometry) -> float:
     """Largest angle, rad, between the section as built and as the surface normal asks for.
 
     Built: the direction between the two outermost corners, read off the skin's splines at four
-    times the stations. Asked: the surface normal at the axis minus its tangent part, turned by
-    the roll, projected afresh.
+    times the stations. Asked: the z axis of the frame wanted (the surface normal at the axis minus
+    its tangent part, turned by the roll), worked out afresh.
     """
     member = geometry.member
     worst = 0.0
-    for tube in member_skins(geometry).tubes:
+    for tube in _corner_tubes(member):
         for piece in tube:
             start, end = piece.knots[0], piece.knots[-1]
             s = np.linspace(start, end, 4 * (piece.poles.shape[1] - 3) + 1)
@@ -215,16 +297,10 @@ def torsion_error(geometry: MemberGeometry) -> float:
             direction = built[:, j] - built[:, i]
             direction /= np.linalg.norm(direction, axis=1, keepdims=True)
             x = member.frames.axis.tangent(s)
-            normal = geometry.surface.closest(member.frames.axis.position(s)).normals
-            z = normal - (normal * x).sum(axis=1, keepdims=True) * x
-            z /= np.linalg.norm(z, axis=1, keepdims=True)
+            z = wanted_z(member.frames.axis, geometry.surface, geometry.frame, s)
             y = np.cross(z, x)
-            y, z = (
-                np.cos(geometry.roll) * y + np.sin(geometry.roll) * z,
-                np.cos(geometry.roll) * z - np.sin(geometry.roll) * y,
-            )
             cell = next(c for c in member.law.cells if c.start <= start < c.end)
-            plane = cell.corners + (s - cell.start)[:, None, None] * cell.corner_rates
+            plane = cell.corners_at(s)
             asked = plane[:, j] - plane[:, i]
             asked /= np.linalg.norm(asked, axis=1, keepdims=True)
             asked = asked[:, :1] * y + asked[:, 1:] * z
@@ -259,7 +335,8 @@ def detail(job: MemberJob) -> DetailedMember:
     axis = axis_of(job.axis, job.surface)
     geometry = member_of(job.member, axis, job.surface)
     plates = plates_of(geometry, job.plates)
-    return DetailedMember(axis, geometry, member_skins(geometry), plates, record_of(plates))
+    record = record_of(plates, "edges")
+    return DetailedMember(axis, geometry, member_skins(geometry), plates, record)
 
 
 def adopt(results: DetailedMember) -> None:
@@ -285,7 +362,7 @@ def _steps(member: Member) -> list[float]:
     """Places where the outer skin itself jumps."""
     steps = []
     for before, after in zip(member.law.cells[:-1], member.law.cells[1:], strict=True):
-        at_end = before.corners + (before.end - before.start) * before.corner_rates
+        at_end = before.corners_at(np.array([before.end]))[0]
         if np.abs(after.corners - at_end).max() > tolerances.FACES_FLUSH:
             steps.append(after.start)
     return steps

@@ -4,13 +4,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 
-from .development import Development
+from .development import Development, Rulings
 
 FINEST = 32
 """Chords per smooth interval at the finest of the three levels extrapolated from."""
+
+MODES = 3
+"""Sine waves per panel that the preimage of a flat diagonal is relaxed by to the geodesic."""
 
 
 def smooth_intervals(places: np.ndarray, folds: tuple[float, ...]) -> tuple[np.ndarray, np.ndarray]:
@@ -33,21 +37,126 @@ def curve_lengths(
     Chord sums at 8, 16 and 32 chords per interval, extrapolated to zero (Richardson), so that
     only positions enter and no derivative used in the construction.
     """
+    points = curve(_sampled(intervals), np.repeat(panels, FINEST + 1))
+    lengths = sampled_lengths(points.reshape(len(intervals), FINEST + 1, -1))
+    return np.bincount(panels, lengths, minlength=count)
+
+
+def _sampled(intervals: np.ndarray) -> np.ndarray:
     fraction = np.linspace(0.0, 1.0, FINEST + 1)
     s = intervals[:, :1] + (intervals[:, 1:] - intervals[:, :1]) * fraction
     # Just inside the interval, so that both sides of a fold give their own limit.
     span = intervals[:, 1] - intervals[:, 0]
     s[:, 0] += 1e-12 * span
     s[:, -1] -= 1e-12 * span
-    owner = np.repeat(panels, FINEST + 1)
-    points = curve(s.ravel(), owner).reshape(len(intervals), FINEST + 1, -1)
-    sums = [
-        np.linalg.norm(np.diff(points[:, :: FINEST // n], axis=1), axis=2).sum(axis=1)
-        for n in (FINEST // 4, FINEST // 2, FINEST)
-    ]
+    return s.ravel()
+
+
+def sampled_lengths(points: np.ndarray) -> np.ndarray:
+    """Lengths (n,) of smooth curves given by FINEST + 1 even samples each, (n, FINEST + 1, d)."""
+    sums = []
+    for n in (FINEST // 4, FINEST // 2, FINEST):
+        chord = np.diff(points[:, :: FINEST // n], axis=1)
+        sums.append(np.sqrt((chord * chord).sum(axis=2)).sum(axis=1))
+    return _extrapolated(sums)
+
+
+def _extrapolated(sums: list[np.ndarray]) -> np.ndarray:
     first = (4 * sums[1] - sums[0]) / 3
     second = (4 * sums[2] - sums[1]) / 3
-    return np.bincount(panels, (16 * second - first) / 15, minlength=count)
+    return (16 * second - first) / 15
+
+
+@dataclass(frozen=True, eq=False)
+class PanelSamples:
+    """The rulings of a development at the sample places of the panels between `places` (k + 1,),
+    sampled once for every length of the panels."""
+
+    development: Development
+    places: np.ndarray
+    ends: Rulings
+    panels: np.ndarray
+    rulings: Rulings
+    wave: np.ndarray
+
+    @property
+    def count(self) -> int:
+        """Number of panels."""
+        return len(self.places) - 1
+
+    def edge(self, w: float) -> tuple[np.ndarray, np.ndarray]:
+        """Flat and curved length (k,) between consecutive places along the line w = constant."""
+        at = np.full(len(self.wave), w)
+        return self._length(self.rulings.flat(at)), self._length(self.rulings.point(at))
+
+    def diagonal(self, start_w: float) -> tuple[np.ndarray, np.ndarray]:
+        """Flat and preimage length (k,) of the panel diagonals that start at w = start_w."""
+        flat, w = self._diagonal(start_w)
+        return flat, self._length(self.rulings.point(w))
+
+    def geodesics(
+        self, starts: tuple[float, ...] = (0.0, 1.0), modes: int = MODES
+    ) -> tuple[tuple[np.ndarray, np.ndarray], ...]:
+        """Per start, as diagonal, with the preimage relaxed to the geodesic by a Newton step.
+
+        The step minimises the chord sums over `modes` sine waves of w per panel; its gain is the
+        second-order excess of the preimage.
+        """
+        flat, w = zip(*(self._diagonal(start) for start in starts), strict=True)
+        rulings = self.rulings
+        points = self._shaped(np.stack([rulings.point(one) for one in w]))[:, None]
+        phases = np.pi * np.arange(1, modes + 1)[:, None] * self.wave
+        waves = self._shaped(np.sin(phases)[:, :, None] * rulings.ruling)[None]
+        lengths, slopes, bends = [], [], []
+        for n in (FINEST // 4, FINEST // 2, FINEST):
+            level = slice(None, None, FINEST // n)
+            chord, change = (
+                values[:, :, :, level][:, :, :, 1:] - values[:, :, :, level][:, :, :, :-1]
+                for values in (points, waves)
+            )
+            length = np.sqrt((chord * chord).sum(axis=4))
+            pulled = (chord * change).sum(axis=4) / length
+            lengths.append(length.sum(axis=3)[:, 0])
+            slopes.append(pulled.sum(axis=3))
+            bends.append((((change * change).sum(axis=4) - pulled**2) / length).sum(axis=3))
+        slope, bend = self._per_panel(slopes), self._per_panel(bends)
+        gain = np.where(bend > 0, slope**2 / (2 * np.where(bend > 0, bend, 1.0)), 0.0).sum(axis=1)
+        return tuple(zip(flat, self._per_panel(lengths) - gain, strict=True))
+
+    def _per_panel(self, sums: list[np.ndarray]) -> np.ndarray:
+        """Extrapolated sums of the intervals (..., m), added up per panel (..., k)."""
+        each = _extrapolated(sums)
+        flat = [
+            np.bincount(self.panels, row, minlength=self.count)
+            for row in each.reshape(-1, len(self.panels))
+        ]
+        return np.array(flat).reshape(*each.shape[:-1], self.count)
+
+    def _diagonal(self, start_w: float) -> tuple[np.ndarray, np.ndarray]:
+        both = np.full(self.count + 1, start_w)
+        a, b = self.ends.flat(both)[:-1], self.ends.flat(1.0 - both)[1:]
+        owner = np.repeat(self.panels, FINEST + 1)
+        return np.linalg.norm(b - a, axis=1), self.rulings.crossing(a[owner], b[owner])
+
+    def _shaped(self, points: np.ndarray) -> np.ndarray:
+        """Points (..., n, d) as (..., intervals, FINEST + 1, d)."""
+        return points.reshape(*points.shape[:-2], len(self.panels), FINEST + 1, points.shape[-1])
+
+    def _length(self, points: np.ndarray) -> np.ndarray:
+        lengths = sampled_lengths(self._shaped(points))
+        return np.bincount(self.panels, lengths, minlength=self.count)
+
+
+def panel_samples(
+    development: Development, places: np.ndarray, folds: tuple[float, ...]
+) -> PanelSamples:
+    """Samples for the lengths of the panels between places (k + 1,), smooth apart from folds."""
+    intervals, panels = smooth_intervals(places, folds)
+    s = _sampled(intervals)
+    owner = np.repeat(panels, FINEST + 1)
+    wave = (s - places[owner]) / (places[owner + 1] - places[owner])
+    ends, inside = development.rulings(np.concatenate([places, s])).split(len(places))
+    return PanelSamples(development, places, ends, panels, inside, wave)
 
 
 def diagonal_lengths(
@@ -61,28 +170,14 @@ def diagonal_lengths(
     The curve on the surface is the preimage of the straight flat diagonal; flat and curved are
     nearly isometric, so that its excess over the geodesic is of second order in the strain.
     """
-    intervals, panels = smooth_intervals(places, folds)
-    count = len(places) - 1
-    a = development.flat(places[:-1], np.full(count, start_w))
-    b = development.flat(places[1:], np.full(count, 1.0 - start_w))
-
-    def on_surface(s: np.ndarray, panel: np.ndarray) -> np.ndarray:
-        w = development.ruling_crossing(s, a[panel], b[panel])
-        return development.point(s, w)
-
-    return np.linalg.norm(b - a, axis=1), curve_lengths(on_surface, intervals, panels, count)
+    return panel_samples(development, places, folds).diagonal(start_w)
 
 
 def edge_lengths(
     development: Development, places: np.ndarray, folds: tuple[float, ...], w: float
 ) -> tuple[np.ndarray, np.ndarray]:
     """Flat and curved length (k,) between consecutive places along the line w = constant."""
-    intervals, panels = smooth_intervals(places, folds)
-    count = len(places) - 1
-    return tuple(
-        curve_lengths(lambda s, _, f=function: f(s, np.full(len(s), w)), intervals, panels, count)
-        for function in (development.flat, development.point)
-    )
+    return panel_samples(development, places, folds).edge(w)
 
 
 def geodesic_lengths(
@@ -90,33 +185,7 @@ def geodesic_lengths(
     places: np.ndarray,
     folds: tuple[float, ...],
     start_w: float,
-    modes: int = 3,
+    modes: int = MODES,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """As diagonal_lengths, with the preimage relaxed to the geodesic by one Newton step.
-
-    The step minimises the length over `modes` sine waves of w per panel, from differences of the
-    measured length; its gain is the second-order excess of the preimage.
-    """
-    intervals, panels = smooth_intervals(places, folds)
-    count = len(places) - 1
-    a = development.flat(places[:-1], np.full(count, start_w))
-    b = development.flat(places[1:], np.full(count, 1.0 - start_w))
-    size = 1e-3
-
-    def length(waves: dict[int, float]) -> np.ndarray:
-        def on_surface(s: np.ndarray, panel: np.ndarray) -> np.ndarray:
-            x = (s - places[panel]) / (places[panel + 1] - places[panel])
-            w = development.ruling_crossing(s, a[panel], b[panel])
-            for mode, amplitude in waves.items():
-                w = w + amplitude * np.sin(mode * np.pi * x)
-            return development.point(s, w)
-
-        return curve_lengths(on_surface, intervals, panels, count)
-
-    middle = length({})
-    gain = np.zeros(count)
-    for mode in range(1, modes + 1):
-        up, down = length({mode: size}), length({mode: -size})
-        slope, bend = (up - down) / (2 * size), (up - 2 * middle + down) / size**2
-        gain += np.where(bend > 0, slope**2 / (2 * np.where(bend > 0, bend, 1.0)), 0.0)
-    return np.linalg.norm(b - a, axis=1), middle - gain
+    """As diagonal_lengths, with the preimage relaxed to the geodesic (PanelSamples.geodesics)."""
+    return panel_samples(development, places, folds).geodesics((start_w,), modes)[0]

@@ -10,10 +10,10 @@ from functools import cached_property
 import numpy as np
 
 from . import tolerances
+from .cells import Cell, SectionLaw
 from .finding import BendTorsionError, error
 from .frames import Frames, FrameStations
 from .piecewise import Piecewise, span_nodes
-from .zones import Cell, SectionLaw
 
 SHARPEST_BEND = 0.05
 """Least 1 − κ·r of any corner: below it the section all but turns about that corner."""
@@ -103,7 +103,7 @@ class Member:
 
 def cell_corners(cell: Cell, s: np.ndarray) -> np.ndarray:
     """Section corners (n, m, 2) in (y, z) at arc lengths s of the cell."""
-    return cell.corners + (s - cell.start)[:, None, None] * cell.corner_rates
+    return cell.corners_at(s)
 
 
 def stretch(at: FrameStations, points: np.ndarray) -> np.ndarray:

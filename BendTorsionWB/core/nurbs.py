@@ -8,6 +8,8 @@ from functools import cached_property
 
 import numpy as np
 
+from .patch_trim import Trim
+
 # Poles nearer than this, relative to the patch's size, coincide: a pole point or a seam.
 COINCIDENT = 1e-9
 # Newton ends with the step that is shorter than this, relative to the patch's size and to its
@@ -31,8 +33,8 @@ class NurbsPatch:
     """A tensor-product NURBS patch over the rectangle of its clamped or unclamped knots.
 
     poles (nu, nv, 3) mm; weights (nu, nv) or None for all one; knots are flat, n + degree + 1 each
-    (Piegl & Tiller 1997, ch. 4). sense +1 or -1: the normal is sense · S_u × S_v. A face's wires
-    are not kept: the patch is the face's whole u, v rectangle.
+    (Piegl & Tiller 1997, ch. 4). sense +1 or -1: the normal is sense · S_u × S_v. trim: the
+    face's wires, None when the face is the whole rectangle; geometry never stops at them.
     """
 
     degree_u: int
@@ -42,6 +44,7 @@ class NurbsPatch:
     poles: np.ndarray
     weights: np.ndarray | None = None
     sense: int = 1
+    trim: Trim | None = None
 
     @cached_property
     def domain(self) -> np.ndarray:
@@ -107,14 +110,18 @@ class NurbsPatch:
         svv = (grid[:, 0, 2, :3] - 2 * w01 * sv - w[:, 0, 2] * s) / w00
         return s, su, sv, suu, suv, svv
 
-    def border(self, side: int, count: int) -> tuple[np.ndarray, ...]:
-        """`count` points inside a border: points, direction along it, direction into the patch,
-        normal, each (count, 3). Sides: first u, last u, first v, last v."""
+    def side(self, side: int, count: int) -> tuple[np.ndarray, np.ndarray]:
+        """Parameters u, v (count,) inside a border. Sides: first u, last u, first v, last v."""
         direction, last = divmod(side, 2)
         first_along, last_along = self.domain[1 - direction]
         along = first_along + (np.arange(count) + 0.5) / count * (last_along - first_along)
         fixed = np.full(count, self.domain[direction, last])
-        u, v = (fixed, along) if direction == 0 else (along, fixed)
+        return (fixed, along) if direction == 0 else (along, fixed)
+
+    def border(self, side: int, count: int) -> tuple[np.ndarray, ...]:
+        """Points at `side`, direction along it, direction into the patch, normal (count, 3)."""
+        direction, last = divmod(side, 2)
+        u, v = self.side(side, count)
         derivatives = self.evaluate(u, v)
         into = derivatives[1 + direction] * (-1 if last else 1)
         return derivatives[0], derivatives[2 - direction], into, self.normals(u, v, derivatives)
@@ -161,12 +168,18 @@ class NurbsPatch:
         return u, v, points, 1.25 * reach
 
     @cached_property
+    def half_cells(self) -> tuple[np.ndarray, np.ndarray]:
+        """Half the cells' extents in u and in v at the samples (m,)."""
+        _, half_u = _cells(self.knots_u, self.degree_u)
+        _, half_v = _cells(self.knots_v, self.degree_v)
+        return np.repeat(half_u, len(half_v)), np.tile(half_v, len(half_u))
+
+    @cached_property
     def area(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Area elements at the samples (m,), their points and unit normals (m, 3)."""
         u, v, points, _ = self.samples
-        _, half_u = _cells(self.knots_u, self.degree_u)
-        _, half_v = _cells(self.knots_v, self.degree_v)
-        cell = np.outer(2 * half_u, 2 * half_v).ravel()
+        half_u, half_v = self.half_cells
+        cell = 4 * half_u * half_v
         derivatives = self.evaluate(u, v)
         element = np.linalg.norm(np.cross(derivatives[1], derivatives[2]), axis=1) * cell
         return element, points, self.normals(u, v, derivatives)

@@ -12,6 +12,7 @@ from scipy.sparse.csgraph import breadth_first_order, connected_components, mini
 from scipy.spatial import cKDTree
 
 from .nurbs import NurbsPatch
+from .patch_trim import inside, trim_border, trim_gap
 from .surface import AMBIGUITY, Foot, Surface
 
 # A point held by the border is past it when it is this far from the surface's normal there, mm.
@@ -30,8 +31,9 @@ class PatchSurface(Surface):
 
     Normals are made consistent over patches that share borders, whatever the patches' own senses
     and parameter directions, then turned outwards: Σ n·(x − centroid) dA > 0; where that is below
-    1e-3 of size × area, n_z > 0, then n_x, n_y. Each connected group is turned by itself. Trimming
-    is not regarded: a patch is the whole u, v rectangle of its face.
+    1e-3 of size × area, n_z > 0, then n_x, n_y. Each connected group is turned by itself. A foot
+    beyond the wires of a trimmed patch is still exact, but it is `outside`, and a patch that has
+    the foot inside its wires goes before it.
     """
 
     patches: tuple[NurbsPatch, ...]
@@ -49,7 +51,7 @@ class PatchSurface(Surface):
         signs, groups = self._consistent()
         for group in range(groups.max() + 1):
             members = np.flatnonzero(groups == group)
-            areas = [self.patches[k].area for k in members]
+            areas = [_trimmed_area(self.patches[k]) for k in members]
             element = np.concatenate([area[0] for area in areas])
             points = np.concatenate([area[1] for area in areas])
             normals = np.concatenate(
@@ -113,10 +115,10 @@ class PatchSurface(Surface):
         """Border samples of all patches: owner, point, along, into, normal, spacing."""
         parts = []
         for k, patch in enumerate(self.patches):
-            for side in range(4):
-                if patch.closed[side // 2] or patch.degenerate.flat[side]:
+            for border in _sides(patch):
+                points, along, into, normals = border
+                if len(points) < 2:
                     continue
-                points, along, into, normals = patch.border(side, _BORDER_SAMPLES)
                 spacing = np.linalg.norm(np.gradient(points, axis=0), axis=1)
                 sound = np.linalg.norm(along, axis=1) > 0
                 parts.append((np.full(sound.sum(), k), points[sound], along[sound], into[sound],
@@ -149,6 +151,7 @@ class PatchSurface(Surface):
         used[:, 0] = True
         for k in range(1, count):
             rows = np.flatnonzero(near[:, k] - reach[which[:, k]] < best.distance)
+            rows = rows[self._may_hold(points[rows], which[rows, k], best.distance[rows])]
             for earlier in range(k):
                 # A start beside one already used on the same patch leads to the same foot.
                 mine, theirs = which[rows, k], which[rows, earlier]
@@ -177,12 +180,62 @@ class PatchSurface(Surface):
             first += len(patch.samples[0])
 
     @cached_property
+    def _cells(self) -> tuple[np.ndarray, ...]:
+        """Of each start's cell: two directions, half widths along them, and a margin."""
+        return tuple(np.concatenate(part) for part in zip(
+            *(_flat_cells(patch) for patch in self.patches), strict=True))
+
+    def _may_hold(self, points, starts, distance) -> np.ndarray:
+        """Whether the cells of `starts` may hold points nearer than `distance`: by the distance to
+        a flat rectangle that covers the cell but for its curvature."""
+        first, second, wide, high, margin = (part[starts] for part in self._cells)
+        away = points - self._starts[4].data[starts]
+        along, across = (away * first).sum(axis=1), (away * second).sum(axis=1)
+        up = np.maximum((away * away).sum(axis=1) - along**2 - across**2, 0.0)
+        beyond = np.maximum(np.abs(along) - wide, 0.0) ** 2
+        beside = np.maximum(np.abs(across) - high, 0.0) ** 2
+        return np.sqrt(up + beyond + beside) - margin < distance
+
+    @cached_property
     def _trees(self) -> list[cKDTree]:
         return [cKDTree(patch.samples[2]) for patch in self.patches]
 
 
+def _sides(patch: NurbsPatch) -> list[tuple[np.ndarray, ...]]:
+    """Samples of the borders of a patch: its four sides, inside the wires, and its wires."""
+    sides = []
+    for side in range(4):
+        if patch.closed[side // 2] or patch.degenerate.flat[side]:
+            continue
+        kept = inside(patch, *patch.side(side, _BORDER_SAMPLES))
+        sides.append(tuple(part[kept] for part in patch.border(side, _BORDER_SAMPLES)))
+    return sides if patch.trim is None else [*sides, trim_border(patch, 4 * _BORDER_SAMPLES)]
+
+
+def _flat_cells(patch: NurbsPatch) -> tuple[np.ndarray, ...]:
+    """Two unit directions (m, 3) in the tangent plane at each sample, half widths along them of a
+    rectangle that covers the cell's parallelogram, and a margin for curvature, all (m,)."""
+    u, v, _, reach = patch.samples
+    half_u, half_v = patch.half_cells
+    _, su, sv, *_ = patch.evaluate(u, v)
+    along, across = su * half_u[:, None], sv * half_v[:, None]
+    size = np.linalg.norm(along, axis=1)
+    first = along / np.maximum(size, 1e-300)[:, None]
+    lean = (across * first).sum(axis=1)
+    rest = across - lean[:, None] * first
+    high = np.linalg.norm(rest, axis=1)
+    second = rest / np.maximum(high, 1e-300)[:, None]
+    return first, second, size + np.abs(lean), high, 0.2 * reach
+
+
+def _trimmed_area(patch: NurbsPatch) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Area elements, points and normals inside the wires (the whole patch for the thinnest)."""
+    kept = inside(patch, *patch.samples[:2])
+    return tuple(part[kept] for part in patch.area) if kept.any() else patch.area
+
+
 class _Best:
-    """The nearest feet found so far."""
+    """The nearest feet found so far; distance: to the foot, or to the border short of it."""
 
     def __init__(self, surface: PatchSurface, points: np.ndarray):
         self.surface = surface
@@ -193,6 +246,7 @@ class _Best:
         self.distance = np.full(number, np.inf)
         self.ambiguous = np.zeros(number, bool)
         self.bound = np.zeros(number, bool)
+        self.gap = np.zeros(number)
 
     def improve(self, rows: np.ndarray, starts: np.ndarray) -> None:
         """Refine the points `rows` from the samples `starts`; keep what is nearer."""
@@ -200,29 +254,33 @@ class _Best:
         for patch in np.unique(owner[starts]):
             chosen = owner[starts] == patch
             mine, begin = rows[chosen], starts[chosen]
-            _, _, feet, normals, focal, bound = self.surface.patches[patch].refine(
+            place_u, place_v, feet, normals, focal, bound = self.surface.patches[patch].refine(
                 self.points[mine], u[begin], v[begin]
             )
+            gap = trim_gap(self.surface.patches[patch], place_u, place_v, feet)
             normals = self.surface.signs[patch] * normals
             # A point with several starts is merged once per start.
             left = np.arange(len(mine))
             while len(left):
                 _, once = np.unique(mine[left], return_index=True)
                 pick = left[once]
-                self._merge(mine[pick], feet[pick], normals[pick], focal[pick], bound[pick])
+                self._merge(
+                    mine[pick], feet[pick], normals[pick], focal[pick], bound[pick], gap[pick]
+                )
                 left = np.delete(left, once)
 
     def astray(self) -> np.ndarray:
-        """Points held by a border that are beside the normal there (n,) bool."""
+        """Points held by a border that are beside the normal there, or past the wires (n,)."""
         residual = self.points - self.feet
         signed = np.einsum("ij,ij->i", residual, self.normals)
         slip = np.linalg.norm(residual - signed[:, None] * self.normals, axis=1)
-        return self.bound & (slip > PAST_BORDER)
+        return (self.bound & (slip > PAST_BORDER)) | (self.gap > PAST_BORDER)
 
-    def _merge(self, rows, feet, normals, focal, bound) -> None:
+    def _merge(self, rows, feet, normals, focal, bound, gap) -> None:
         size = self.surface.size
         residual = self.points[rows] - feet
-        distance = np.linalg.norm(residual, axis=1)
+        # A foot beyond the wires stands for the border, which is about this far.
+        distance = np.hypot(np.linalg.norm(residual, axis=1), gap)
         apart = np.linalg.norm(feet - self.feet[rows], axis=1)
         tie = np.abs(distance - self.distance[rows]) <= AMBIGUITY * size
         same = tie & (apart <= _SAME_PLACE * size)
@@ -233,6 +291,7 @@ class _Best:
         crease = same & (turned > CREASE)
         astray = np.abs((residual * across).sum(1)) > PAST_BORDER * turned
         self.bound[rows[same]] &= bound[same]
+        self.gap[rows[same]] = np.minimum(self.gap[rows[same]], gap[same])
         self.bound[rows[crease & ~astray]] = False
         rival = tie & (apart > 1e-6 * size)
         nearer = (distance < self.distance[rows]) & ~same
@@ -241,6 +300,7 @@ class _Best:
         self.normals[new] = normals[nearer]
         self.distance[new] = distance[nearer]
         self.bound[new] = bound[nearer]
+        self.gap[new] = gap[nearer]
         self.ambiguous[new] = focal[nearer]
         self.ambiguous[rows[crease | rival]] = True
 

@@ -9,10 +9,25 @@ from dataclasses import dataclass
 import numpy as np
 
 from . import measure, tolerances
-from .development import ACROSS, Development, develop, shape_of, strain
+from .development import (
+    ACROSS,
+    RULING_MODES,
+    Development,
+    Rulings,
+    crossed,
+    develop,
+    flat_area,
+    gauss_of,
+    shape_inside,
+    strain_at_nodes,
+)
+from .elastic import relaxed
+from .forming import FormingRules, classify
 from .lofting import DevelopedPlate, FoldLine, LoftingPoint, PanelMeasure, StationLine
-from .piecewise import Piecewise
 from .plates import Plate
+
+MODES = (*RULING_MODES, "elastic")
+"""Ways of laying a plate flat."""
 
 OUTLINE_SAGITTA = 0.0005
 LONGEST_OUTLINE_CHORD = 40.0
@@ -37,26 +52,41 @@ def turned(points: np.ndarray, turn: np.ndarray) -> np.ndarray:
     return sum(points[:, k, None] * turn[:, k] for k in range(points.shape[1]))
 
 
-def develop_plate(plate: Plate, marking_face: str = "inside") -> DevelopedPlate:
+def develop_plate(
+    plate: Plate,
+    marking_face: str = "inside",
+    mode: str = "edges",
+    rules: FormingRules | None = None,
+) -> DevelopedPlate:
     """The mid-surface of a plate laid flat, with everything a fitter measures.
 
-    marking_face: `inside` or `outside`, the side the pattern is seen from. Raises BendTorsionError
-    when the plate folds over itself.
+    marking_face: `inside` or `outside`, the side the pattern is seen from. mode: one of MODES.
+    Raises BendTorsionError when the plate folds over itself.
     """
-    development = develop(plate.rails.mid, plate.mark)
+    development = development_of(plate, mode)
     runs = _outline_in_plane(development, plate)
-    pattern = _pattern_frame(development, plate, runs, marking_face)
-    outline = tuple(turned(run, pattern.turn) + pattern.shift for run in runs)
+    pattern, outline = _pattern_frame(development, plate, runs, marking_face)
     if np.linalg.det(pattern.turn) < 0:
         outline = tuple(run[::-1] for run in reversed(outline))
-    places = np.array([line.s_mid for line in plate.lines])
-    lines = _lines(plate, pattern, places)
-    placing, flat_to_placing = _placing_frames(plate, pattern)
-    panels, errors = _panels(plate, development, places, lines)
+    across = _LinesAcross(plate, pattern)
+    folds = _folds(plate, pattern)
+    lines = _lines(across)
+    placing, flat_to_placing = _placing_frames(across)
+    panels, errors = _panels(across, lines)
     corners = np.concatenate(outline)
-    stretch = strain(development, development.plane.nodes.ravel(), ACROSS)
-    shape = shape_of(development.surface, development.plane.nodes[:, 1:-1].ravel(), ACROSS)
+    stretch = strain_at_nodes(development, ACROSS)
+    stretch_inside = stretch.reshape(*development.plane.nodes.shape, -1)[:, 1:-1]
+    shape = shape_inside(development.surface, ACROSS)
     worst_strain = float(np.abs(stretch).max())
+    forming = classify(
+        development,
+        shape,
+        stretch_inside.reshape(-1, len(ACROSS)),
+        plate.thickness,
+        plate.material,
+        [fold.angle for fold in folds],
+        rules or FormingRules(),
+    )
     return DevelopedPlate(
         member=plate.member,
         mark=plate.mark,
@@ -68,23 +98,23 @@ def develop_plate(plate: Plate, marking_face: str = "inside") -> DevelopedPlate:
         material=plate.material.name,
         outline=outline,
         lines=lines,
-        folds=_folds(plate, pattern),
-        points=_points(plate, pattern, places, placing, marking_face),
+        folds=folds,
+        points=_points(across, placing, marking_face),
         panels=panels,
         length=float(corners[:, 0].max()),
         width=float(corners[:, 1].max()),
-        area=_area(development),
+        area=flat_area(development),
         mass=plate.volume * plate.material.density,
         volume=plate.volume,
         s_start=plate.start,
         s_end=plate.end,
         length_error_max=float(np.abs(errors).max()),
         length_error_rms=float(np.sqrt(np.mean(errors**2))),
-        length_error_bound=_bound(development, places, lines, panels),
+        length_error_bound=_bound(development, across.places, lines, panels),
         strain_max=worst_strain,
         locked_in_stress=worst_strain * plate.material.e,
         bending_radius_min=_radius(float(shape.sharpest.max())),
-        forming=None,
+        forming=forming.name,
         marking_face=marking_face,
         placing=placing,
         flat_to_placing=flat_to_placing,
@@ -92,57 +122,132 @@ def develop_plate(plate: Plate, marking_face: str = "inside") -> DevelopedPlate:
     )
 
 
+def development_of(plate: Plate, mode: str) -> Development:
+    """The mid-surface of a plate laid flat: `edges` keeps both edges, `energy` strains least of
+    all patterns with rigid rulings, `elastic` of all patterns."""
+    if mode == "elastic":
+        start = develop(plate.rails.mid, plate.mark, "energy")
+        return relaxed(start, plate.rails.mid_folds, plate.mark)
+    return develop(plate.rails.mid, plate.mark, mode)
+
+
+def outline_of(plate: Plate, mode: str = "edges") -> list[np.ndarray]:
+    """The outline alone, as smooth runs in the development's plane."""
+    return _outline_in_plane(development_of(plate, mode), plate)
+
+
+class _LinesAcross:
+    """What all lofting data reads at the lines across a plate, evaluated once: rulings of the
+    mid-surface, corners of the outer face (n, 2, 3), ends in the pattern (n, 2, 2)."""
+
+    def __init__(self, plate: Plate, pattern: Pattern):
+        self.plate, self.pattern = plate, pattern
+        self.places = np.array([line.s_mid for line in plate.lines])
+        self.measured = measure.panel_samples(
+            pattern.development, self.places, plate.rails.mid_folds
+        )
+        self.rulings: Rulings = self.measured.ends
+        self.outer = plate.rails.outer(np.array([line.s for line in plate.lines]))
+        self.outer = self.outer.reshape(-1, 2, 3)
+        self.inner = plate.rails.inner(self.places).reshape(-1, 2, 3)
+        zero = np.zeros(len(self.places))
+        self.flat = np.stack([self.at(zero), self.at(zero + 1.0)], axis=1)
+
+    def at(self, w: np.ndarray) -> np.ndarray:
+        """Pattern points (n, 2) at w (n,) of the lines."""
+        return turned(self.rulings.flat(w), self.pattern.turn) + self.pattern.shift
+
+    def flat_lengths(self) -> np.ndarray:
+        """Lengths (n,) of the lines in the pattern, along their curve when a correction bends
+        them."""
+        if self.rulings.correction is None:
+            return np.linalg.norm(self.flat[:, 1] - self.flat[:, 0], axis=1)
+        count = len(self.places)
+        points = np.stack(
+            [self.at(np.full(count, w)) for w in np.linspace(0.0, 1.0, measure.FINEST + 1)], axis=1
+        )
+        return measure.sampled_lengths(points)
+
+
 def _outline_in_plane(development: Development, plate: Plate) -> list[np.ndarray]:
     """Smooth runs, head to tail, counter-clockwise in the plane: first edge along +s, end line,
     second edge back, start line."""
-    runs = [_edge_runs(development, plate, 0.0), _edge_runs(development, plate, 1.0)]
-    forth, back = runs[0], [run[::-1] for run in reversed(runs[1])]
-    end = np.array([forth[-1][-1], back[0][0]])
-    start = np.array([back[-1][-1], forth[0][0]])
+    edges = [plate.start, *plate.rails.mid_folds, plate.end]
+    spans = [(a, b, w) for w in (0.0, 1.0) for a, b in zip(edges[:-1], edges[1:], strict=True)]
+    probes = _along(development, [(a, b, w, 33) for a, b, w in spans])
+    runs = _along(
+        development,
+        [
+            (*span, _chord_count(points) + 1)
+            for span, points in zip(spans, probes, strict=True)
+        ],
+    )
+    forth, back = runs[: len(edges) - 1], [run[::-1] for run in reversed(runs[len(edges) - 1 :])]
+    ends = (plate.end, plate.start)
+    end, start = (
+        _end_line(development, s, a, b)
+        for s, a, b in zip(ends, (forth[-1][-1], back[-1][-1]), (back[0][0], forth[0][0]))
+    )
     return [*forth, end, *back, start]
 
 
-def _edge_runs(development: Development, plate: Plate, w: float) -> list[np.ndarray]:
-    edges = [plate.start, *plate.rails.mid_folds, plate.end]
-    runs = []
-    for a, b in zip(edges[:-1], edges[1:], strict=True):
-        probe = np.linspace(a, b, 33)
-        points = development.flat(probe, np.full(33, w))
-        chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
-        step_u, step_v = np.diff(points, axis=0).T.copy()
-        turn = np.diff(np.unwrap(np.arctan2(step_v, step_u)))
-        curvature = (np.abs(turn) / (0.5 * (chords[1:] + chords[:-1]))).max() + 1e-12
-        longest = min(LONGEST_OUTLINE_CHORD, np.sqrt(8 * OUTLINE_SAGITTA / curvature))
-        count = max(2, int(np.ceil(chords.sum() / longest)))
-        runs.append(development.flat(np.linspace(a, b, count + 1), np.full(count + 1, w)))
-    return runs
+def _along(
+    development: Development, spans: Sequence[tuple[float, float, float, int]]
+) -> list[np.ndarray]:
+    """Points (n, 2) at n even places from a to b along the lines of constant w (a, b, w, n)."""
+    s = np.concatenate([np.linspace(a, b, n) for a, b, _, n in spans])
+    counts = [n for *_, n in spans]
+    w = np.repeat([w for _, _, w, _ in spans], counts)
+    return np.split(development.flat(s, w), np.cumsum(counts)[:-1])
+
+
+def _chord_count(points: np.ndarray) -> int:
+    """Chords that keep the sagitta of a run through evenly spaced points (33, 2)."""
+    step = np.diff(points, axis=0)
+    chords = np.sqrt((step * step).sum(axis=1))
+    turn = np.diff(np.unwrap(np.arctan2(step[:, 1].copy(), step[:, 0].copy())))
+    curvature = (np.abs(turn) / (0.5 * (chords[1:] + chords[:-1]))).max() + 1e-12
+    longest = min(LONGEST_OUTLINE_CHORD, np.sqrt(8 * OUTLINE_SAGITTA / curvature))
+    return max(2, int(np.ceil(chords.sum() / longest)))
+
+
+def _end_line(development: Development, s: float, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """The end line from a to b: straight, unless a correction bends the rulings."""
+    if development.correction is None:
+        return np.array([a, b])
+    w = np.linspace(0.0, 1.0, 33)
+    points = development.flat(np.full(33, s), w)
+    points = points if np.allclose(points[0], a) else points[::-1]
+    return np.concatenate([[a], points[1:-1], [b]])
 
 
 def _pattern_frame(
     development: Development, plate: Plate, runs: Sequence[np.ndarray], marking_face: str
-) -> Pattern:
-    ends = np.array([plate.start, plate.end])
-    middles = development.flat(ends, np.full(2, 0.5))
+) -> tuple[Pattern, tuple[np.ndarray, ...]]:
+    """The pattern frame and the runs of the outline in it."""
+    # Runs end with the end line and the start line.
+    middles = [0.5 * (run[0] + run[-1]) for run in (runs[-1], runs[len(runs) // 2 - 1])]
+    if development.correction is not None:
+        middles = development.flat(np.array([plate.start, plate.end]), np.full(2, 0.5))
     u = (middles[1] - middles[0]) / np.linalg.norm(middles[1] - middles[0])
     turn = np.array([u, [-u[1], u[0]]])
     # The plane is seen from the side of P' × R; the other face's view is its mirror image.
     seen_from_inside = plate.inward > 0
     if seen_from_inside != (marking_face == "inside"):
         turn[1] = -turn[1]
-    corner = np.concatenate([turned(run, turn) for run in runs]).min(axis=0)
-    return Pattern(development, turn, -corner)
+    points = turned(np.concatenate(runs), turn)
+    shift = -points.min(axis=0)
+    ends = np.cumsum([len(run) for run in runs])[:-1]
+    return Pattern(development, turn, shift), tuple(np.split(points + shift, ends))
 
 
-def _lines(plate: Plate, pattern: Pattern, places: np.ndarray) -> tuple[StationLine, ...]:
-    zero, one = np.zeros(len(places)), np.ones(len(places))
-    first, second = pattern.flat(places, zero), pattern.flat(places, one)
-    surface = pattern.development
-    true = np.linalg.norm(surface.point(places, one) - surface.point(places, zero), axis=1)
-    flat = np.linalg.norm(second - first, axis=1)
+def _lines(across: _LinesAcross) -> tuple[StationLine, ...]:
+    ruling = across.rulings.ruling
+    true = np.sqrt((ruling * ruling).sum(axis=1))
+    flat = across.flat_lengths()
     return tuple(
-        StationLine(line.label, line.s, np.array([first[i], second[i]]), float(true[i]),
-                    float(flat[i]))
-        for i, line in enumerate(plate.lines)
+        StationLine(line.label, line.s, across.flat[i], float(true[i]), float(flat[i]))
+        for i, line in enumerate(across.plate.lines)
     )
 
 
@@ -170,31 +275,24 @@ def _folds(plate: Plate, pattern: Pattern) -> tuple[FoldLine, ...]:
 
 
 def _points(
-    plate: Plate,
-    pattern: Pattern,
-    places: np.ndarray,
-    placing: np.ndarray,
-    marking_face: str,
+    across: _LinesAcross, placing: np.ndarray, marking_face: str
 ) -> tuple[LoftingPoint, ...]:
-    outer = plate.rails.outer(np.array([line.s for line in plate.lines])).reshape(-1, 2, 3)
-    face = outer if marking_face == "outside" else plate.rails.inner(places).reshape(-1, 2, 3)
-    across = face[:, 1] - face[:, 0]
-    width = np.linalg.norm(across, axis=1)
+    plate, outer = across.plate, across.outer
+    face = outer if marking_face == "outside" else across.inner
+    between = face[:, 1] - face[:, 0]
+    width = np.linalg.norm(between, axis=1)
     inset = np.minimum(tolerances.WITNESS_INSET, width / 4) / width
-    zero = np.zeros(len(places))
+    step = inset[:, None] * between
     groups = {
-        "arris": (outer[:, 0], outer[:, 1], zero, zero + 1.0),
-        "witness": (
-            face[:, 0] + inset[:, None] * across,
-            face[:, 1] - inset[:, None] * across,
-            inset,
-            1.0 - inset,
+        "P": ("arris", (outer[:, 0], outer[:, 1]), (across.flat[:, 0], across.flat[:, 1])),
+        "W": (
+            "witness",
+            (face[:, 0] + step, face[:, 1] - step),
+            (across.at(inset), across.at(1.0 - inset)),
         ),
     }
     points = []
-    for kind, letter in (("arris", "P"), ("witness", "W")):
-        first, second, w_first, w_second = groups[kind]
-        flat = (pattern.flat(places, w_first), pattern.flat(places, w_second))
+    for letter, (kind, (first, second), flat) in groups.items():
         local = tuple(turned(xyz, placing[:3, :3]) + placing[:3, 3] for xyz in (first, second))
         for i, line in enumerate(plate.lines):
             for side, xyz in enumerate((first, second)):
@@ -214,39 +312,25 @@ def _points(
 
 
 def _panels(
-    plate: Plate,
-    development: Development,
-    places: np.ndarray,
-    lines: Sequence[StationLine],
+    across: _LinesAcross, lines: Sequence[StationLine]
 ) -> tuple[tuple[PanelMeasure, ...], np.ndarray]:
     """Panel measures, and all flat-minus-true lengths: edges, whole edges, diagonals, lines."""
-    outer = plate.rails.outer(np.array([line.s for line in plate.lines])).reshape(-1, 2, 3)
-    first, second = outer[:, 0], outer[:, 1]
-    folds = plate.rails.mid_folds
+    plate, measured = across.plate, across.measured
+    first, second = across.outer[:, 0], across.outer[:, 1]
+    diagonals = measured.geodesics()
     measures = {
-        f"edge {plate.edges[0]}": (
-            measure.edge_lengths(development, places, folds, 0.0),
-            np.linalg.norm(np.diff(first, axis=0), axis=1),
-        ),
-        f"edge {plate.edges[1]}": (
-            measure.edge_lengths(development, places, folds, 1.0),
-            np.linalg.norm(np.diff(second, axis=0), axis=1),
-        ),
-        "diagonal 1": (
-            measure.geodesic_lengths(development, places, folds, 0.0),
-            np.linalg.norm(second[1:] - first[:-1], axis=1),
-        ),
-        "diagonal 2": (
-            measure.geodesic_lengths(development, places, folds, 1.0),
-            np.linalg.norm(first[1:] - second[:-1], axis=1),
-        ),
+        f"edge {plate.edges[0]}": (measured.edge(0.0), first[1:] - first[:-1]),
+        f"edge {plate.edges[1]}": (measured.edge(1.0), second[1:] - second[:-1]),
+        "diagonal 1": (diagonals[0], second[1:] - first[:-1]),
+        "diagonal 2": (diagonals[1], first[1:] - second[:-1]),
     }
+    chords = {what: np.linalg.norm(chord, axis=1) for what, (_, chord) in measures.items()}
     panels, errors = [], []
-    for i in range(len(places) - 1):
+    for i in range(measured.count):
         name = f"{plate.lines[i].label}/{plate.lines[i + 1].label}"
-        for what, ((flat, arc), chord) in measures.items():
+        for what, ((flat, arc), _) in measures.items():
             panels.append(
-                PanelMeasure(name, what, float(flat[i]), float(arc[i]), float(chord[i]))
+                PanelMeasure(name, what, float(flat[i]), float(arc[i]), float(chords[what][i]))
             )
     for what, ((flat, arc), _) in measures.items():
         errors.append(flat - arc)
@@ -270,41 +354,31 @@ def _bound(
     """The lower bound max |K|A²/(12(D + b + ℓ)) over the panels of a plate, mm: no flat pattern
     has smaller length errors on all sides and diagonals of that panel (self-stress of the plane
     quadrilateral; exact for rectangles, a few per cent high for panels that taper askew)."""
-    gauss = shape_of(development.surface, 0.5 * (places[1:] + places[:-1]), np.array([0.5])).gauss
+    gauss = gauss_of(development.surface, 0.5 * (places[1:] + places[:-1]), 0.5)
     lengths = np.array([panel.arc for panel in panels]).reshape(-1, 4)
     along, diagonal = lengths[:, :2].mean(axis=1), lengths[:, 2:].mean(axis=1)
     across = np.array([line.length_3d for line in lines])
     across = 0.5 * (across[1:] + across[:-1])
     area = along * across
-    return float((np.abs(gauss[:, 0]) * area**2 / (12 * (diagonal + across + along))).max())
+    return float((np.abs(gauss) * area**2 / (12 * (diagonal + across + along))).max())
 
 
-def _area(development: Development) -> float:
-    """Area of the flat pattern, mm2: ∫ρ(p − m/2)ds of the finished plane curves."""
-    plane, slope = development.plane.values, development.plane.derivative.values
-    along = slope[..., 0] * np.cos(plane[..., 2]) + slope[..., 1] * np.sin(plane[..., 2])
-    width = plane[..., 3]
-    strip = width * along - 0.5 * width**2 * slope[..., 2]
-    return float(Piecewise(development.plane.breaks, strip[..., None]).integral()[0])
-
-
-def _placing_frames(plate: Plate, pattern: Pattern) -> tuple[np.ndarray, np.ndarray]:
+def _placing_frames(across: _LinesAcross) -> tuple[np.ndarray, np.ndarray]:
     """Model -> placing and flat -> placing, (4, 4) each (paper's Orient on the outer face)."""
-    ends = np.array([plate.start, plate.end])
-    outer = plate.rails.outer(ends).reshape(2, 2, 3)
-    inner = plate.rails.inner(ends).reshape(2, 2, 3)
+    outer, inner, flat = (
+        values[[0, -1]] for values in (across.outer, across.inner, across.flat)
+    )
     lengths = np.linalg.norm(outer[:, 1] - outer[:, 0], axis=1)
     start, other = (1, 0) if lengths[1] < lengths[0] - 0.01 else (0, 1)
-    flat = np.stack([pattern.flat(ends, np.zeros(2)), pattern.flat(ends, np.ones(2))], axis=1)
     origin, x = outer[start, 0], outer[start, 1] - outer[start, 0]
     x = x / np.linalg.norm(x)
     third = outer[other].mean(axis=0) - origin
-    z = np.cross(x, third)
+    z = crossed(x, third)
     z /= np.linalg.norm(z)
     if z @ (outer.mean(axis=(0, 1)) - inner.mean(axis=(0, 1))) < 0:
         z = -z
     placing = np.eye(4)
-    placing[:3, :3] = np.array([x, np.cross(z, x), z])
+    placing[:3, :3] = np.array([x, crossed(z, x), z])
     placing[:3, 3] = -turned(origin[None], placing[:3, :3])[0]
     flat_origin = flat[start, 0]
     flat_x = flat[start, 1] - flat_origin

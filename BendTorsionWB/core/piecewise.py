@@ -7,7 +7,7 @@ differentiated and integrated to rounding (Trefethen, Approximation Theory and P
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -115,13 +115,49 @@ class Piecewise:
         """Values (m, d) at s (m,), extrapolated from the end spans outside the range."""
         s = np.atleast_1d(np.asarray(s, float))
         where = np.searchsorted(self.breaks, s, side="right" if side == "later" else "left") - 1
-        where = np.clip(where, 0, len(self.breaks) - 2)
+        where = np.minimum(np.maximum(where, 0), len(self.breaks) - 2)
         low, high = self.breaks[where], self.breaks[where + 1]
-        basis = _basis((2.0 * s - low - high) / (high - low))
+        basis = _basis((2.0 * s - low - high) / (high - low)).T.copy()
         total = np.zeros((len(s), self.values.shape[2]))
         for j in range(DEGREE + 1):
-            total += basis[:, j, None] * self.values[where, j]
+            total += basis[j][:, None] * self.values[:, j].take(where, axis=0)
         return total
+
+
+def evaluate_together(
+    functions: Sequence[Piecewise], places: Sequence[np.ndarray], side: str = "later"
+) -> list[np.ndarray]:
+    """[f(s, side)] of functions of one width, each at its own places (n,), in one sweep.
+
+    side: as of a call, or `inside`: later, but the last place of each belongs to the span before.
+    """
+    where, base = [], 0
+    for function, s in zip(functions, places, strict=True):
+        inner = function.breaks[1:-1]
+        own = inner.searchsorted(s, "left" if side == "earlier" else "right")
+        if side == "inside":
+            own[-1] = inner.searchsorted(s[-1], "left")
+        where.append(base + own)
+        base += len(function.values)
+    where, s = np.concatenate(where), np.concatenate(places)
+    low = np.concatenate([f.breaks[:-1] for f in functions])[where]
+    high = np.concatenate([f.breaks[1:] for f in functions])[where]
+    values = np.concatenate([f.values for f in functions])
+    basis = _basis((2.0 * s - low - high) / (high - low))
+    total = np.zeros((len(s), values.shape[2]))
+    for j in range(DEGREE + 1):
+        total += basis[:, j, None] * values[where, j]
+    return np.split(total, np.cumsum([len(p) for p in places])[:-1])
+
+
+def derivatives_together(functions: Sequence[Piecewise]) -> list[Piecewise]:
+    """d/ds of functions of one width, in one sweep."""
+    scale = np.concatenate([2.0 / np.diff(f.breaks) for f in functions])
+    values = np.concatenate([f.values for f in functions])
+    rates = _combined(_DIFFERENTIATE, values) * scale[:, None, None]
+    ends = np.cumsum([len(f.values) for f in functions])[:-1]
+    parts = np.split(rates, ends)
+    return [Piecewise(f.breaks, part) for f, part in zip(functions, parts, strict=True)]
 
 
 def span_nodes(breaks: np.ndarray) -> np.ndarray:

@@ -10,10 +10,11 @@ import numpy as np
 
 from . import tolerances
 from .finding import BendTorsionError, Finding, error, warning
+from .joint_solver import JointRules, solve_joints
 from .member import Member
-from .section import Material
-from .strips import StripRails, section_integrand, strip_rails
-from .volume import strip_volume
+from .section import Material, Strip
+from .strips import StripRails, rails_between, section_integrand
+from .volume import strip_volumes
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,7 +56,8 @@ class Plate:
 
 @dataclass(frozen=True)
 class Joints:
-    """Joints of one face: cumulative ratios of the axis length (0 … 1), or cumulative mm."""
+    """Joints of one face: cumulative ratios of the axis length (0 … 1), cumulative mm, or
+    `auto`, solved by the rules (no values)."""
 
     values: tuple[float, ...]
     kind: str = "ratio"
@@ -67,14 +69,6 @@ class Joints:
         return tuple(p for p in places if p < length - tolerances.SAME_STATION)
 
 
-@dataclass(frozen=True)
-class JointRules:
-    """Limits for joints of neighbouring plates, mm (rule pack)."""
-
-    stagger: float = 200.0
-    shortest_piece: float = 600.0
-
-
 def split_plates(
     member: Member,
     joints: Mapping[str, Joints],
@@ -84,11 +78,12 @@ def split_plates(
     """Plates of all faces in face order then along +s, and findings on their joints.
 
     joints: face -> Joints; a face without an entry is cut only where the section asks for it.
-    Raises BendTorsionError for joints out of order or beyond the axis, and plates shorter than
-    SHORTEST_PLATE.
+    Raises BendTorsionError for joints out of order or beyond the axis, plates shorter than
+    SHORTEST_PLATE, and `auto` joints no rule-keeping places exist for.
     """
     findings: list[Finding] = []
     law = member.law
+    joints = _with_solved(member, joints, rules or JointRules())
     stations = member.stations(spacing)
     cuts: dict[str, np.ndarray] = {}
     for strip in law.strips:
@@ -100,12 +95,19 @@ def split_plates(
         raise BendTorsionError(findings)
     if rules is not None:
         findings += _check_rules(member, cuts, rules)
+    spans = [
+        (index, float(start), float(end))
+        for index, strip in enumerate(law.strips)
+        for start, end in zip(cuts[strip.face][:-1], cuts[strip.face][1:], strict=True)
+    ]
+    all_rails = rails_between(member, spans)
+    built = iter(zip(all_rails, _volumes(member, all_rails), strict=True))
     plates = []
     for index, strip in enumerate(law.strips):
         edges = cuts[strip.face]
         for number, (start, end) in enumerate(zip(edges[:-1], edges[1:], strict=True), start=1):
             cells = [c for c in law.cells if c.start < end and c.end > start]
-            rails = strip_rails(member, index, start, end)
+            rails, volume = next(built)
             plates.append(
                 Plate(
                     member=member.name,
@@ -120,7 +122,7 @@ def split_plates(
                     thickness=float(cells[0].thickness[index]),
                     material=cells[0].materials[index],
                     rails=rails,
-                    volume=_volume(member, rails),
+                    volume=volume,
                     folds=tuple(f for f in rails.boundaries if f in law.folds),
                     lines=_lines(stations, start, end, rails, law.folds),
                     in_transition=any(cell.is_transition for cell in cells),
@@ -129,11 +131,37 @@ def split_plates(
     return tuple(plates), tuple(findings)
 
 
-def _volume(member: Member, rails: StripRails) -> float:
-    """∫A(1 − κ·e)ds between square ends (Pappus); surface quadrature where the plate is mitred."""
-    if rails.boundaries:
-        return strip_volume(rails)
-    return float(section_integrand(member, rails).integral()[0])
+def _volumes(member: Member, plates: Sequence[StripRails]) -> list[float]:
+    """∫A(1 − κ·e)ds between square ends (Pappus); surface quadrature of plates that are mitred."""
+    mitred = [rails for rails in plates if rails.boundaries]
+    by_surface = iter(strip_volumes(mitred) if mitred else ())
+    return [
+        next(by_surface)
+        if rails.boundaries
+        else float(section_integrand(member, rails).integral()[0])
+        for rails in plates
+    ]
+
+
+def _with_solved(
+    member: Member, joints: Mapping[str, Joints], rules: JointRules
+) -> Mapping[str, Joints]:
+    """The joints with those of `auto` faces solved for, given ones as they are."""
+    if not any(item.kind == "auto" for item in joints.values()):
+        return joints
+    strips = member.law.strips
+    given = {strip.face: joints.get(strip.face, Joints(())) for strip in strips}
+    neighbours = {
+        one.face: tuple(o.face for o in strips if o is not one and _neighbours(one, o))
+        for one in strips
+    }
+    solved = solve_joints(
+        member,
+        {f: None if g.kind == "auto" else g.places(member.length) for f, g in given.items()},
+        neighbours,
+        rules,
+    )
+    return {**joints, **{face: Joints(places, "mm") for face, places in solved.items()}}
 
 
 def _edges(given: Sequence[float], forced: Sequence[float], length: float) -> np.ndarray:
@@ -211,6 +239,16 @@ def _check_lengths(member: Member, cuts: dict[str, np.ndarray], findings: list[F
         )
 
 
+def _neighbours(one: Strip, other: Strip) -> bool:
+    """True for strips with a corner in common, and where one stops at the other."""
+    stops = [
+        (a.stops_at_first, a.stops_at_second, b.face) for a, b in ((one, other), (other, one))
+    ]
+    return bool({one.first, one.second} & {other.first, other.second}) or any(
+        stop is not None and stop.face == face for *both, face in stops for stop in both
+    )
+
+
 def _check_rules(member: Member, cuts: dict[str, np.ndarray], rules: JointRules) -> list[Finding]:
     """Warnings for given joints that the rules would place elsewhere; joints are never moved."""
     findings = []
@@ -231,10 +269,11 @@ def _check_rules(member: Member, cuts: dict[str, np.ndarray], rules: JointRules)
                 )
             )
     forced = np.array(member.law.joints)
+    findings += _beside_folds(member, cuts, rules)
     strips = member.law.strips
     for i, one in enumerate(strips):
         for other in strips[i + 1 :]:
-            if not {one.first, one.second} & {other.first, other.second}:
+            if not _neighbours(one, other):
                 continue
             a, b = cuts[one.face][1:-1], cuts[other.face][1:-1]
             if not len(a) or not len(b):
@@ -259,4 +298,33 @@ def _check_rules(member: Member, cuts: dict[str, np.ndarray], rules: JointRules)
                         unit="mm",
                     )
                 )
+    return findings
+
+
+def _beside_folds(
+    member: Member, cuts: dict[str, np.ndarray], rules: JointRules
+) -> list[Finding]:
+    """Warnings for joints too close beside a fold; a joint on the fold is none."""
+    findings = []
+    folds = np.array(member.law.folds)
+    for face, edges in cuts.items():
+        own = np.array([e for e in edges[1:-1] if e not in member.law.joints])
+        if not len(own) or not len(folds):
+            continue
+        gap = np.abs(own[:, None] - folds[None, :]).min(axis=1)
+        gap = np.where(gap <= tolerances.SAME_STATION, np.inf, gap)
+        at = int(np.argmin(gap))
+        if gap[at] < rules.fold_clearance - tolerances.SAME_STATION:
+            findings.append(
+                warning(
+                    "joint-beside-fold",
+                    member.name,
+                    f"a joint of face {face} is too close to a fold",
+                    "move the joint onto the fold, or farther from it",
+                    position=f"s = {own[at]:.0f} mm",
+                    value=float(gap[at]),
+                    limit=rules.fold_clearance,
+                    unit="mm",
+                )
+            )
     return findings

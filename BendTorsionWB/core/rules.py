@@ -4,17 +4,38 @@
 from __future__ import annotations
 
 import json
-from functools import lru_cache
+import math
+from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from .finding import BendTorsionError, error
+from .forming import FormingRules
 from .plates import JointRules
 
 FOLDER = Path(__file__).resolve().parents[2] / "resources" / "rules"
 PACKS = ("CN", "EU", "US")
 
 
-@lru_cache(maxsize=None)
+@dataclass(frozen=True)
+class Rule:
+    """One limit: its value and unit, what it means, where it comes from, and whether the source
+    has been read (`verified`) or not yet (`to be verified`)."""
+
+    name: str
+    value: float
+    unit: str
+    meaning: str
+    source: str
+    status: str
+
+    def line(self) -> str:
+        """The rule as one line; its status stays visible."""
+        unit = "" if self.unit == "1" else f" {self.unit}"
+        return f"{self.meaning}: {self.value:g}{unit} ({self.source}; {self.status})"
+
+
+@cache
 def load(pack: str) -> dict[str, dict]:
     """The rules of a pack by name; raises BendTorsionError when the file cannot be read."""
     path = FOLDER / f"{pack}.json"
@@ -27,15 +48,38 @@ def load(pack: str) -> dict[str, dict]:
         ) from problem
 
 
-def joint_rules(pack: str) -> JointRules:
-    """The limits joints are checked by."""
-    rules = load(pack)
+def rule(pack: str, name: str) -> Rule:
+    """One rule of a pack; raises BendTorsionError when it is missing or its value no number."""
     try:
-        return JointRules(
-            float(rules["joint_stagger"]["value"]), float(rules["shortest_piece"]["value"])
-        )
+        given = load(pack)[name]
+        fields = (given[key] for key in ("unit", "meaning", "source", "status"))
+        made = Rule(name, float(given["value"]), *fields)
+        if not math.isfinite(made.value) or made.value < 0.0:
+            raise ValueError(f"{name} = {made.value}")
+        return made
     except (KeyError, TypeError, ValueError) as problem:
         raise BendTorsionError(
             error("rule-pack", f"{pack}.json", f"a rule is missing or not a number: {problem}",
-                  "mend the file")
+                  "mend the file", position=name)
         ) from problem
+
+
+def joint_rules(pack: str) -> JointRules:
+    """The limits joints are checked by and solved for."""
+    return JointRules(
+        stagger=rule(pack, "joint_stagger").value,
+        shortest_piece=rule(pack, "shortest_piece").value,
+        longest_piece=rule(pack, "longest_piece").value,
+        widest_piece=rule(pack, "widest_piece").value,
+        fold_clearance=rule(pack, "fold_clearance").value,
+    )
+
+
+def forming_rules(pack: str) -> FormingRules:
+    """The limits of the forming classes."""
+    names = ("flat_within", "elastic_stress", "cold_radius_low_alloy", "cold_radius_mild",
+             "mild_up_to")
+    return FormingRules(
+        **{name: rule(pack, name).value for name in names},
+        fold_without_press=math.radians(rule(pack, "fold_without_press").value),
+    )

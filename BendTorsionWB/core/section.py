@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -29,15 +30,28 @@ class Material:
     fy: float = 355.0
 
 
+STEEL = Material()
+"""The grade of what names none."""
+
+
+class Stop(NamedTuple):
+    """Where an edge of a strip ends: gap mm clear of another strip's `inner` face, of its `outer`
+    face, or of the `mitre` through both strips' outer and inner arrises."""
+
+    face: str
+    gap: float = 0.0
+    at: str = "inner"
+
+
 @dataclass(frozen=True)
 class Strip:
     """One plate strip of a section, all numbers in the section's (y, z).
 
-    first, second: indices of the corners its outer line runs between; the first edge carries the
+    first, second: indices of the corners its line runs between; the first edge carries the
     odd point numbers. inward: +1 when the plate lies to the left of first -> second seen along
-    -x, -1 to its right. stops_at_first, stops_at_second: the strip whose inner face this one
-    stops at, and the root gap left there, or None to run to the corner.
-    edges: names of the first and second edge.
+    -x, -1 to its right. stops_at_first, stops_at_second: what its edges end at, or None to run
+    to the corner and end square. edges: names of the first and second edge. line: depth in the
+    plate at which the line runs, 0 on the outer face, 0.5 in the middle.
     """
 
     face: str
@@ -47,13 +61,17 @@ class Strip:
     thickness: float
     inward: int
     edges: tuple[str, str]
-    stops_at_first: tuple[str, float] | None = None
-    stops_at_second: tuple[str, float] | None = None
+    stops_at_first: Stop | None = None
+    stops_at_second: Stop | None = None
+    line: float = 0.0
 
 
 @dataclass(frozen=True)
 class Section:
-    """A section by its corners (n, 2) in a ring, about its own centre, and its strips. mm."""
+    """A section by its corners (n, 2), about the middle of its h and b, and its strips. mm.
+
+    closed: the corners in their order are a ring of strips round a cell.
+    """
 
     name: str
     type: str
@@ -63,6 +81,7 @@ class Section:
     corner_names: tuple[str, ...]
     strips: tuple[Strip, ...]
     material: Material = Material()
+    closed: bool = True
 
     @property
     def title(self) -> str:
@@ -95,11 +114,11 @@ def box(
     if findings:
         raise BendTorsionError(findings)
     if type == "box1":
-        flange_stops = (("left", gap1), ("right", gap2))
+        flange_stops = (Stop("left", gap1), Stop("right", gap2))
         web_stops = (None, None)
     else:
         flange_stops = (None, None)
-        web_stops = (("top", gap1), ("bottom", gap2))
+        web_stops = (Stop("top", gap1), Stop("bottom", gap2))
     corners = ((b / 2, h / 2), (-b / 2, h / 2), (-b / 2, -h / 2), (b / 2, -h / 2))
     across, down = ("left", "right"), ("top", "bottom")
     strips = (

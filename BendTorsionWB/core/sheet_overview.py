@@ -159,7 +159,7 @@ def _line_ends(plate: DevelopedPlate, label: str) -> np.ndarray:
 def _style(name: str) -> str:
     if name == "axis":
         return "chain"
-    return "medium" if name in ("TL", "TR", "BR", "BL") else "narrow"
+    return "narrow" if name.endswith((" E-1", " E-2")) else "medium"
 
 
 def _dot(center, radius: float = 0.35) -> Polyline:

@@ -1,226 +1,235 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Rails of a plate strip on its outer, mid and inner surface, mitred where the strip is folded.
 
-Thickness is normal to the plate: where the outer face tilts against the axis by
-a = d(outer offset)/ds ÷ (1 − κ·r), the inset in the section plane is t·√(1 + a²), half of it for
-the mid-surface. At a fold the insets of the two sides differ, so the surfaces below the outer one
-meet a little before or behind it, at the mitre; each rail is broken at its own mitre. What a strip
-stops at (the inner face of its neighbour) has its own mitre elsewhere; the strip keeps clear of
-both by a relief that fades out on the constant side within RELIEF_LENGTH.
+Thickness is normal to the plate (`strip_lines`). At a fold the insets of the two sides differ, so
+the surfaces off the strip's line meet a little before or behind it, at the mitre; each rail is
+broken at its own mitre. What a strip stops at (the inner face of its neighbour) has its own mitre
+elsewhere; the strip keeps clear of both by a relief that fades out on the constant side within
+RELIEF_LENGTH.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 
 from . import tolerances
 from .frames import FrameStations
-from .member import Member, cell_corners, stretch, to_space
+from .member import Member, stretch
 from .piecewise import Piecewise, span_nodes
-from .zones import Cell
+from .strip_lines import Sites, crossing, edge_points, left_of, limits, own_lines
 
 RELIEF_LENGTH = 500.0
+LEAST_FOLD = 1e-6
+"""Angle, rad, below which a strip is not folded: its mitre would be wherever rounding puts it."""
+_Arrays = TypeVar("_Arrays", FrameStations, Sites)
 LEVELS = {"outer": 0.0, "mid": 0.5, "inner": 1.0}
+_DEPTHS = np.array([*LEVELS.values()])
 
 
 @dataclass(frozen=True, eq=False)
 class StripRails:
     """Rails s -> (6,), first then second edge, of the three surfaces of a strip, and the places
-    each is folded at, in the order of `boundaries` (the folds of the outer face)."""
+    each is folded at, in the order of `boundaries` (where the section law changes)."""
 
     boundaries: tuple[float, ...]
     outer: Piecewise
     mid: Piecewise
     inner: Piecewise
+    outer_folds: tuple[float, ...]
     mid_folds: tuple[float, ...]
     inner_folds: tuple[float, ...]
 
 
-@dataclass(frozen=True)
-class _Mitre:
-    """At one boundary, per edge (first, second): where the surface of a level is folded, and how
+@dataclass(frozen=True, eq=False)
+class _Mitres:
+    """At each boundary, level, strip and edge (b, 3, k, 2): where the surface is folded, and how
     far the limit of the cell before and after is moved inwards there."""
 
-    places: tuple[float, float]
-    relief_before: tuple[float, float]
-    relief_after: tuple[float, float]
-
-    @property
-    def place(self) -> float:
-        return 0.5 * sum(self.places)
+    places: np.ndarray
+    relief_before: np.ndarray
+    relief_after: np.ndarray
 
 
 def strip_rails(member: Member, strip: int, start: float, end: float) -> StripRails:
     """The rails of a strip between two section planes without a joint between them."""
-    cells = [c for c in member.law.cells if c.start < end and c.end > start]
-    boundaries = tuple(cell.start for cell in cells[1:])
-    mitres = {
-        level: [_mitre(member, strip, a, b, depth) for a, b in zip(cells, cells[1:], strict=False)]
-        for level, depth in LEVELS.items()
-    }
-    rails = {
-        level: _rails(member, strip, cells, mitres[level], start, end, depth)
-        for level, depth in LEVELS.items()
-    }
-    return StripRails(
-        boundaries,
-        rails["outer"],
-        rails["mid"],
-        rails["inner"],
-        tuple(mitre.place for mitre in mitres["mid"]),
-        tuple(mitre.place for mitre in mitres["inner"]),
+    return rails_between(member, [(strip, start, end)])[0]
+
+
+def rails_between(
+    member: Member, spans: Sequence[tuple[int, float, float]]
+) -> tuple[StripRails, ...]:
+    """The rails of many strips (strip, start, end), as `strip_rails`."""
+    law = member.law
+    starts = np.array([cell.start for cell in law.cells])
+    mitres = _mitres(member)
+    blocks, folds, boundaries = [], [], []
+    for strip, start, end in spans:
+        low = int(np.searchsorted(starts, start, side="right")) - 1
+        high = int(np.searchsorted(starts, end, side="left")) - 1
+        boundaries.append(tuple(starts[low + 1 : high + 1].tolist()))
+        for level in range(3):
+            mine = slice(low, high), level, strip
+            block = _Block(member, mitres, mine, low, start, end)
+            folds.append(tuple(block.edges[1:-1].tolist()))
+            blocks.append(block)
+    rails = _evaluated(member, blocks, [span[0] for span in spans])
+    return tuple(
+        StripRails(boundaries[k], *rails[3 * k : 3 * k + 3], *folds[3 * k : 3 * k + 3])
+        for k in range(len(spans))
     )
 
 
-def _rails(
-    member: Member,
-    strip: int,
-    cells: list[Cell],
-    mitres: list[_Mitre],
-    start: float,
-    end: float,
-    depth: float,
-) -> Piecewise:
-    edges = np.array([start, *(mitre.place for mitre in mitres), end])
-    reach = np.minimum(RELIEF_LENGTH, 0.45 * np.diff(edges))
-    fades = [edges[k] + reach[k] for k in range(1, len(edges) - 1)]
-    fades += [edges[k + 1] - reach[k] for k in range(len(edges) - 2)]
-    breaks = member.smooth_breaks(edges, fades)
-    nodes = span_nodes(breaks)
-    owner = np.searchsorted(edges, 0.5 * (breaks[1:] + breaks[:-1]), side="right") - 1
-    values = np.empty((*nodes.shape, 2, 3))
-    for index, cell in enumerate(cells):
-        mine = owner == index
-        s = nodes[mine].ravel()
-        fade_start = (1.0 - (s - edges[index]) / reach[index]).clip(0.0) ** 3
-        fade_end = (1.0 - (edges[index + 1] - s) / reach[index]).clip(0.0) ** 3
-        for edge in (0, 1):
-            place, relief = s, np.zeros(len(s))
-            if index:
-                before = mitres[index - 1]
-                place = place + (before.places[edge] - before.place) * fade_start
-                relief = relief + before.relief_after[edge] * fade_start
-            if index < len(mitres):
-                after = mitres[index]
-                place = place + (after.places[edge] - after.place) * fade_end
-                relief = relief + after.relief_before[edge] * fade_end
-            at = member.frames.at(place)
-            plane = _edge_point(member, cell, strip, edge, depth, at, relief)
-            values[mine, :, edge] = to_space(at, plane[:, None])[:, 0].reshape(-1, nodes.shape[1], 3)
-    joined = Piecewise(breaks, values.reshape(*nodes.shape, 6))
-    return _closed(joined, edges[1:-1])
+class _Block:
+    """The nodes of one surface of one strip: s (n,), its cell, and per edge the place on the axis
+    it is taken at and its relief (n, 2)."""
+
+    def __init__(self, member: Member, mitres: _Mitres, mine, low: int, start, end):
+        places = mitres.places[mine]
+        middles = 0.5 * (places[:, 0] + places[:, 1])
+        edges = np.concatenate([[start], middles, [end]])
+        reach = np.minimum(RELIEF_LENGTH, 0.45 * np.diff(edges))
+        count = len(middles)
+        breaks = member.smooth_breaks(
+            edges, [*(edges[1:-1] + reach[1:]), *(edges[1:-1] - reach[:-1])] if count else ()
+        )
+        nodes = span_nodes(breaks)
+        owner = np.searchsorted(edges, 0.5 * (breaks[1:] + breaks[:-1]), side="right") - 1
+        self.edges, self.breaks, self.shape = edges, breaks, nodes.shape
+        self.s = nodes.ravel()
+        owner = np.repeat(owner, nodes.shape[1])
+        self.cell = low + owner
+        self.shifted = bool(count) and bool((places != middles[:, None]).any())
+        self.place = self.relief = None
+        if not count:
+            return
+        fade_start = (1.0 - (self.s - edges[owner]) / reach[owner]).clip(0.0) ** 3
+        fade_end = (1.0 - (edges[owner + 1] - self.s) / reach[owner]).clip(0.0) ** 3
+        nothing = np.zeros((1, 2))
+
+        def faded(at_start, at_end):
+            at_start = np.concatenate([nothing, at_start])[owner]
+            at_end = np.concatenate([at_end, nothing])[owner]
+            return at_start * fade_start[:, None] + at_end * fade_end[:, None]
+
+        if self.shifted:
+            shift = places - middles[:, None]
+            self.place = self.s[:, None] + faded(shift, shift)
+        self.relief = faded(mitres.relief_after[mine], mitres.relief_before[mine])
+
+
+def _evaluated(
+    member: Member, blocks: Sequence[_Block], strips: Sequence[int]
+) -> list[Piecewise]:
+    """The blocks' rails, all in one sweep; three levels per strip."""
+    law = member.law
+    sizes = [len(block.s) for block in blocks]
+    cell = np.concatenate([block.cell for block in blocks])
+    strip = np.repeat(np.repeat(strips, 3), sizes)
+    depth = np.repeat(np.tile(_DEPTHS, len(strips)), sizes)
+    s = np.concatenate([block.s for block in blocks])
+    at = member.frames.at(s)
+    values = np.empty((len(s), 2, 3))
+    relief = np.concatenate(
+        [np.zeros((len(b.s), 2)) if b.relief is None else b.relief for b in blocks]
+    )
+    moved = np.repeat([block.shifted for block in blocks], sizes)
+    base = law.sites(cell, s, at.ky, at.kz, at.twist)
+    for edge in (0, 1):
+        own, sites = at, base
+        if moved.any():
+            place = np.concatenate([b.place[:, edge] for b in blocks if b.shifted])
+            new = member.frames.at(place)
+            own = _replaced(at, moved, new)
+            sites = _replaced(
+                base, moved, law.sites(cell[moved], place, new.ky, new.kz, new.twist)
+            )
+        plane = edge_points(
+            law.table, sites, strip, np.full(len(s), edge), depth, relief[:, edge]
+        )
+        values[:, edge] = own.origin + plane[:, :1] * own.y + plane[:, 1:] * own.z
+    ends = np.cumsum(sizes)[:-1]
+    return [
+        _closed(Piecewise(block.breaks, part.reshape(*block.shape, 6)), block.edges[1:-1])
+        for block, part in zip(blocks, np.split(values, ends), strict=True)
+    ]
+
+
+def _replaced(old: _Arrays, where: np.ndarray, new: _Arrays) -> _Arrays:
+    """A record of arrays with those of another at some places."""
+    parts = {name: part.copy() for name, part in vars(old).items()}
+    for name, part in parts.items():
+        part[where] = getattr(new, name)
+    return type(old)(**parts)
 
 
 def _closed(rails: Piecewise, places: np.ndarray) -> Piecewise:
     """Both sides of each fold on one point; they differ by what the mitre's iteration left."""
-    values = rails.values.copy()
+    values = rails.values
     for place in places:
         k = int(np.searchsorted(rails.breaks, place))
         middle = 0.5 * (values[k - 1, -1] + values[k, 0])
         values[k - 1, -1], values[k, 0] = middle, middle
-    return Piecewise(rails.breaks, values)
+    return rails
 
 
-def _mitre(member: Member, strip: int, before: Cell, after: Cell, depth: float) -> _Mitre:
-    fold = after.start
-    places, relief_before, relief_after = [], [], []
-    for edge in (0, 1):
-        place = fold
-        if depth:
-            for _ in range(6):
-                at = member.frames.at(np.array([place]))
-                point = _edge_point(member, before, strip, edge, depth, at)
-                gap = _side(_own_line(member, after, strip, depth, at), point)
-                ahead = member.frames.at(np.array([place + 1.0]))
-                point = _edge_point(member, before, strip, edge, depth, ahead)
-                rate = _side(_own_line(member, after, strip, depth, ahead), point) - gap
-                if abs(rate) < 1e-9:
-                    place = fold
-                    break
-                place = place - gap / rate
-        at = member.frames.at(np.array([place]))
-        one, _ = _limit(member, before, strip, edge, at)
-        two, inward = _limit(member, after, strip, edge, at)
-        own = _own_line(member, after, strip, depth, at)
-        gap = (_crossing(own, two) - _crossing(own, one))[0] @ inward[0]
-        # The side whose limit is the farther out gives way.
-        places.append(float(place))
-        relief_before.append(max(0.0, float(gap)))
-        relief_after.append(max(0.0, -float(gap)))
-    return _Mitre(tuple(places), tuple(relief_before), tuple(relief_after))
+def _mitres(member: Member) -> _Mitres:
+    """All mitres of a member: where the edge of a surface before a boundary meets the surface
+    behind it, both continued through the boundary."""
+    law = member.law
+    table, count = law.table, len(law.cells) - 1
+    shape = (count, 3, len(law.strips), 2)
+    if not count:
+        return _Mitres(*(np.zeros(shape) for _ in range(3)))
+    boundary, level, strip, edge = (part.ravel() for part in np.indices(shape))
+    fold = np.array([cell.start for cell in law.cells[1:]])[boundary]
+    depth = _DEPTHS[level]
 
+    def sites(chosen, place) -> tuple[Sites, Sites]:
+        at = member.frames.at(place)
+        return tuple(
+            law.sites(boundary[chosen] + k, place, at.ky, at.kz, at.twist) for k in (0, 1)
+        )
 
-def _edge_point(
-    member: Member,
-    cell: Cell,
-    strip: int,
-    edge: int,
-    depth: float,
-    at: FrameStations,
-    relief: np.ndarray | float = 0.0,
-) -> np.ndarray:
-    """Point (n, 2) of one edge of the strip at a depth (0 outer … 1 inner)."""
-    line, inward = _limit(member, cell, strip, edge, at)
-    line = line + (np.zeros(len(at.s)) + relief)[:, None, None] * inward[:, None]
-    return _crossing(_own_line(member, cell, strip, depth, at), line)
+    def gap(chosen, place):
+        """How far the edge before has passed the surface behind."""
+        before, after = sites(chosen, place)
+        own, deep = strip[chosen], depth[chosen]
+        point = edge_points(table, before, own, edge[chosen], deep)
+        line = own_lines(table, after, own, deep)
+        return (left_of(line) * (point - line[:, 0])).sum(axis=1)
 
-
-def _own_line(
-    member: Member, cell: Cell, strip: int, depth: float, at: FrameStations
-) -> np.ndarray:
-    """The strip's line (n, 2, 2), from its first to its second corner, at a depth."""
-    own = member.law.strips[strip]
-    outer = cell_corners(cell, at.s)[:, [own.first, own.second]]
-    if not depth:
-        return outer
-    normal = own.inward * _left_of(outer)
-    rate = (normal[:, None] * cell.corner_rates[[own.first, own.second]]).sum(axis=2)
-    tilt = rate / stretch(at, outer)
-    inset = depth * cell.thickness[strip] * np.sqrt(1.0 + tilt**2)
-    return outer + inset[:, :, None] * normal[:, None]
-
-
-def _limit(
-    member: Member, cell: Cell, strip: int, edge: int, at: FrameStations
-) -> tuple[np.ndarray, np.ndarray]:
-    """The line (n, 2, 2) one edge of the strip ends at, and the unit direction (n, 2) into it."""
-    own = member.law.strips[strip]
-    stop = (own.stops_at_first, own.stops_at_second)[edge]
-    if stop is None:
-        outer = cell_corners(cell, at.s)[:, [own.first, own.second]]
-        along = outer[:, 1] - outer[:, 0]
-        along /= np.linalg.norm(along, axis=1, keepdims=True)
-        corner = outer[:, edge]
-        line = np.stack([corner, corner + own.inward * _left_of(outer)], axis=1)
-        return line, (along if edge == 0 else -along)
-    neighbour = next(k for k, s in enumerate(member.law.strips) if s.face == stop[0])
-    inner = _own_line(member, cell, neighbour, 1.0, at)
-    inward = member.law.strips[neighbour].inward * _left_of(inner)
-    gap = cell.gaps[strip, edge] + (at.s - cell.start) * cell.gap_rates[strip, edge]
-    return inner + gap[:, None, None] * inward[:, None], inward
-
-
-def _left_of(line: np.ndarray) -> np.ndarray:
-    """Unit normals (n, 2) to the left of lines (n, 2, 2)."""
-    along = line[:, 1] - line[:, 0]
-    along = along / np.linalg.norm(along, axis=1, keepdims=True)
-    return np.column_stack([-along[:, 1], along[:, 0]])
-
-
-def _side(line: np.ndarray, point: np.ndarray) -> float:
-    """Signed distance of one point (1, 2) from one line (1, 2, 2)."""
-    return float((_left_of(line) * (point - line[:, 0])).sum())
-
-
-def _crossing(line: np.ndarray, limit: np.ndarray) -> np.ndarray:
-    """Where lines (n, 2, 2) cross limits (n, 2, 2), (n, 2)."""
-    along, across = line[:, 1] - line[:, 0], limit[:, 1] - limit[:, 0]
-    gap = limit[:, 0] - line[:, 0]
-    determinant = along[:, 0] * across[:, 1] - along[:, 1] * across[:, 0]
-    part = (gap[:, 0] * across[:, 1] - gap[:, 1] * across[:, 0]) / determinant
-    return line[:, 0] + part[:, None] * along
+    place = fold.copy()
+    thickness = np.array([cell.thickness for cell in law.cells])
+    through = thickness[boundary, strip] == thickness[boundary + 1, strip]
+    chosen = np.flatnonzero(
+        (depth != table.line[strip]) & np.isin(fold, law.folds) & through
+    )
+    if len(chosen):
+        last = fold[chosen]
+        miss = gap(chosen, last)
+        rate = gap(chosen, last + 1.0) - miss
+        folded = np.abs(rate) >= LEAST_FOLD
+        chosen, last, miss, rate = (part[folded] for part in (chosen, last, miss, rate))
+        for _ in range(12):
+            if not len(chosen) or np.abs(miss / rate).max() < 1e-10:
+                break
+            last = last - miss / rate
+            miss = gap(chosen, last)
+        place[chosen] = last
+    everything = np.arange(len(fold))
+    before, after = sites(everything, place)
+    own = own_lines(table, after, strip, depth)
+    one, _ = limits(table, before, strip, edge)
+    two, into = limits(table, after, strip, edge)
+    way = ((crossing(own, two) - crossing(own, one)) * into).sum(axis=1)
+    # The side whose limit is the farther out gives way.
+    return _Mitres(
+        place.reshape(shape), way.clip(0.0).reshape(shape), (-way).clip(0.0).reshape(shape)
+    )
 
 
 def section_integrand(member: Member, rails: StripRails) -> Piecewise:

@@ -28,7 +28,7 @@ STATION_AT_FOLD = 10.0
 FACES_FLUSH = 1e-6
 """Faces of two segments that differ by less than this are flush: no transition, no fold."""
 
-SKIN_CORNER = 0.01
+SKIN_CORNER = 0.001
 """Corners of a skin between its stations; stations are doubled until they agree to this."""
 
 VOLUME_RELATIVE = 1e-6

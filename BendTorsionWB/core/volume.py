@@ -10,10 +10,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.interpolate import BSpline
 
-from .piecewise import Piecewise, span_nodes
-from .skin import SkinPiece
+from .piecewise import Piecewise, derivatives_together, evaluate_together
+from .skin import SkinPiece, values_and_rates
 from .strips import StripRails
 
 _SPLINE_NODES = np.polynomial.legendre.leggauss(5)
@@ -22,54 +21,83 @@ _EXACT_NODES = np.polynomial.legendre.leggauss(16)
 
 def skin_volume(pieces: Sequence[SkinPiece]) -> float:
     """Volume, mm3, of the solid written from a skin whose rails are in ring order."""
-    ends = np.concatenate([pieces[0].at(pieces[0].knots[:1]), pieces[-1].at(pieces[-1].knots[-1:])])
-    total = 0.0
-    for piece in pieces:
-        spline = BSpline(piece.knots, piece.poles.transpose(1, 0, 2), 3)
-        s, weights = _gauss(np.unique(piece.knots), _SPLINE_NODES)
-        total += float((weights * _flux(spline(s), spline.derivative()(s), ends)).sum())
-    return abs(total + _caps(ends))
+    return skin_volumes([pieces])[0]
+
+
+def skin_volumes(tubes: Sequence[Sequence[SkinPiece]]) -> list[float]:
+    """Volumes of many skins of one number of rails, as `skin_volume`."""
+    pieces = [piece for tube in tubes for piece in tube]
+    nodes = [_gauss(piece.knots[3:-3], _SPLINE_NODES) for piece in pieces]
+    values = values_and_rates(pieces, [s for s, _ in nodes])
+    counts, k = [], 0
+    for tube in tubes:
+        counts.append(sum(len(nodes[i][0]) for i in range(k, k + len(tube))))
+        k += len(tube)
+    rails, rates = (np.concatenate([pair[part] for pair in values]) for part in (0, 1))
+    ends = np.array([[tube[0].poles[:, 0], tube[-1].poles[:, -1]] for tube in tubes])
+    return _enclosed(rails, rates, np.concatenate([w for _, w in nodes]), counts, ends)
 
 
 def strip_volume(rails: StripRails) -> float:
     """Volume, mm3, of a plate from its exact rails, inner and outer rails paired between folds as
     the solid pairs them."""
-    outer_edges = [rails.outer.start, *rails.boundaries, rails.outer.end]
-    inner_edges = [rails.inner.start, *rails.inner_folds, rails.inner.end]
-    ends = np.stack(
-        [
-            _ring(rails, np.array([edges[0] for edges in (outer_edges, inner_edges)]))[0],
-            _ring(rails, np.array([edges[-1] for edges in (outer_edges, inner_edges)]))[0],
+    return strip_volumes([rails])[0]
+
+
+def strip_volumes(strips: Sequence[StripRails]) -> list[float]:
+    """Volumes of many plates, as `strip_volume`."""
+    functions, places, weights, scales, ends = [], [], [], [], []
+    for rails in strips:
+        edges = [
+            [group.start, *folds, group.end]
+            for group, folds in ((rails.outer, rails.outer_folds), (rails.inner, rails.inner_folds))
         ]
-    )
-    total = 0.0
-    for k in range(len(outer_edges) - 1):
-        parts = []
-        for group, edges in ((rails.outer, outer_edges), (rails.inner, inner_edges)):
-            breaks = group.breaks
-            inside = breaks[(breaks > edges[k]) & (breaks < edges[k + 1])]
-            parts.append((inside - edges[k]) / (edges[k + 1] - edges[k]))
-        breaks = np.unique(np.concatenate([[0.0, 1.0], *parts]))
-        nodes = span_nodes(breaks)
-        # A hair inside each span, so that both sides of a fold give their own limit.
-        x = (nodes + (nodes.mean(axis=1, keepdims=True) - nodes) * 1e-12).ravel()
-        places = np.stack(
-            [e[k] + x * (e[k + 1] - e[k]) for e in (outer_edges, inner_edges)]
+        parts = [_paired(rails, [own[k] for own in edges], [own[k + 1] for own in edges])
+                 for k in range(len(edges[0]) - 1)]
+        x, w = ([part[i] for part in parts] for i in (0, 1))
+        for side, group in enumerate((rails.outer, rails.inner)):
+            lengths = np.diff(edges[side])
+            functions.append(group)
+            places.append(np.concatenate(
+                [edges[side][k] + x[k] * lengths[k] for k in range(len(parts))]
+            ))
+            scales.append(np.repeat(lengths, [len(part) for part in x]))
+        weights.append(np.concatenate(w))
+        ends.append(np.stack([_ring_at(rails, 0), _ring_at(rails, -1)]))
+    both = [
+        Piecewise(f.breaks, np.concatenate([f.values, rate.values], axis=2))
+        for f, rate in zip(functions, derivatives_together(functions), strict=True)
+    ]
+    found = evaluate_together(both, places)
+    outer, inner = np.concatenate(found[::2]), np.concatenate(found[1::2])
+    rails, rates = (
+        np.concatenate(
+            [one[:, part].reshape(-1, 2, 3) * by[:, None, None]
+             for one, by in ((outer, a), (inner, b))], axis=1
+        )[:, [0, 1, 3, 2]]
+        for part, a, b in (
+            (slice(0, 6), np.ones(len(outer)), np.ones(len(inner))),
+            (slice(6, 12), np.concatenate(scales[::2]), np.concatenate(scales[1::2])),
         )
-        ring = Piecewise(breaks, _ring(rails, places).reshape(*nodes.shape, 12))
-        s, weights = _gauss(breaks, _EXACT_NODES)
-        values, rates = ring(s), ring.derivative(s)
-        flux = _flux(values.reshape(-1, 4, 3), rates.reshape(-1, 4, 3), ends)
-        total += float((weights * flux).sum())
-    return abs(total + _caps(ends))
+    )
+    counts = [len(w) for w in weights]
+    return _enclosed(rails, rates, np.concatenate(weights), counts, np.array(ends))
 
 
-def _ring(rails: StripRails, places: np.ndarray) -> np.ndarray:
-    """Ring (n, 4, 3): outer first, outer second, inner second, inner first."""
-    places = places.reshape(2, -1)
-    outer = rails.outer(places[0]).reshape(-1, 2, 3)
-    inner = rails.inner(places[1]).reshape(-1, 2, 3)
-    return np.concatenate([outer, inner[:, ::-1]], axis=1)
+def _paired(rails: StripRails, starts, ends) -> tuple[np.ndarray, np.ndarray]:
+    """Gauss nodes and weights (n,) on [0, 1] between two folds, smooth on each span of both."""
+    parts = [np.array([0.0, 1.0])]
+    for group, a, b in zip((rails.outer, rails.inner), starts, ends, strict=True):
+        inside = group.breaks[(group.breaks > a) & (group.breaks < b)]
+        parts.append((inside - a) / (b - a))
+    breaks = np.unique(np.concatenate(parts))
+    return _gauss(breaks[np.concatenate([[True], np.diff(breaks) > 1e-12])], _EXACT_NODES)
+
+
+def _ring_at(rails: StripRails, end: int) -> np.ndarray:
+    """Ring (4, 3) at the start (0) or end (-1): outer first, outer second, inner second, first."""
+    outer, inner = (g.values[end, end].reshape(2, 3) for g in (rails.outer, rails.inner))
+    return np.concatenate([outer, inner[::-1]])
 
 
 def _gauss(
@@ -81,21 +109,35 @@ def _gauss(
     return (middle[:, None] + half[:, None] * rule[0]).ravel(), (half[:, None] * rule[1]).ravel()
 
 
-def _flux(rails: np.ndarray, rates: np.ndarray, ends: np.ndarray) -> np.ndarray:
-    """Flux (n,) of position/3 per unit of parameter through all faces, about the mean of `ends`."""
-    rails = rails - ends.mean(axis=(0, 1))
+def _enclosed(
+    rails: np.ndarray,
+    rates: np.ndarray,
+    weights: np.ndarray,
+    counts: Sequence[int],
+    ends: np.ndarray,
+) -> list[float]:
+    """Volumes of solids with end rings (k, 2, m, 3), from their rails and rates (n, m, 3) at
+    weighted places, `counts` of them each: flux of position/3 about the mean of the ends."""
+    middle = ends.mean(axis=(1, 2))
+    flux = weights * _flux(rails - np.repeat(middle, counts, axis=0)[:, None], rates)
+    starts = np.concatenate([[0], np.cumsum(counts)[:-1]])
+    through = np.add.reduceat(flux, starts)
+    rings = ends - middle[:, None, None]
+    area = 0.5 * _cross(rings, np.roll(rings, -1, axis=2)).sum(axis=2)
+    caps = (area * rings.mean(axis=2)).sum(axis=2) / 3.0
+    return np.abs(through + caps[:, 0] - caps[:, 1]).tolist()
+
+
+def _flux(rails: np.ndarray, rates: np.ndarray) -> np.ndarray:
+    """Flux (n,) of position/3 per unit of parameter through all faces."""
     across, spread = np.roll(rails, -1, axis=1) - rails, np.roll(rates, -1, axis=1) - rates
     total = np.zeros(len(rails))
     for w in (0.5 - np.sqrt(1 / 12), 0.5 + np.sqrt(1 / 12)):
-        flux = np.cross(rates + w * spread, across) * (rails + w * across)
+        flux = _cross(rates + w * spread, across) * (rails + w * across)
         total += flux.sum(axis=(1, 2)) / 6.0
     return total
 
 
-def _caps(ends: np.ndarray) -> float:
-    """Flux through the plane caps, in the sense that closes the faces of `_flux`."""
-    total = 0.0
-    for ring, side in zip(ends - ends.mean(axis=(0, 1)), (1.0, -1.0), strict=True):
-        area = 0.5 * np.cross(ring, np.roll(ring, -1, axis=0)).sum(axis=0)
-        total += side * float((area * ring.mean(axis=0)).sum()) / 3.0
-    return total
+def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Cross products over the last axis."""
+    return a[..., [1, 2, 0]] * b[..., [2, 0, 1]] - a[..., [2, 0, 1]] * b[..., [1, 2, 0]]

@@ -9,8 +9,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from . import tolerances
-from .finding import BendTorsionError, Finding, error, warning
-from .section import Material, Section
+from .cells import Cell, FaceSteps, SectionLaw, powers, shifted
+from .finding import BendTorsionError, Finding, error, note, warning
+from .section import Section, Strip
 
 DEFAULT_SLOPE = 2.5
 ALIGNMENTS = (
@@ -26,6 +27,9 @@ ALIGNMENTS = (
 )
 ALIGN_TO = ("axis", "previous")
 TRANSITION_LENGTHS = ("face", "total")
+TRANSITIONS = ("linear", "smooth")
+SMOOTH_STEEPEST = 1.5
+"""Steepest slope of a smooth transition over its mean slope."""
 
 
 @dataclass(frozen=True)
@@ -35,6 +39,7 @@ class Segment:
 
     slope: length of the transition before it per millimetre of step, 0 for a step. align,
     align_to: position of the section on the axis or on the previous segment as placed.
+    transition: `linear`, with a fold at each end, or `smooth` (3x² − 2x³), without folds.
     """
 
     section: Section
@@ -45,68 +50,7 @@ class Segment:
     offset_y: float = 0.0
     offset_z: float = 0.0
     cut_is_ratio: bool = False
-
-
-@dataclass(frozen=True)
-class FaceSteps:
-    """Differences of the face positions of two neighbouring segments (paper h1, h2, b1, b2), mm.
-
-    Positive where the later face lies farther along +z (top, bottom) or +y (left, right).
-    """
-
-    top: float
-    bottom: float
-    left: float
-    right: float
-
-    @property
-    def largest(self) -> float:
-        return max(abs(self.top), abs(self.bottom), abs(self.left), abs(self.right))
-
-
-@dataclass(frozen=True, eq=False)
-class Cell:
-    """A stretch of the axis over which the section varies linearly with constant thicknesses.
-
-    label: `d-1` for constant, `b-1` for transition zones. corners (m, 2) and gaps (strips, 2) at
-    `start`, and their rates per mm of arc length. thickness: (strips,) mm.
-    """
-
-    label: str
-    start: float
-    end: float
-    corners: np.ndarray
-    corner_rates: np.ndarray
-    gaps: np.ndarray
-    gap_rates: np.ndarray
-    thickness: np.ndarray
-    materials: tuple[Material, ...]
-
-    @property
-    def is_transition(self) -> bool:
-        return self.label.startswith("b")
-
-
-@dataclass(frozen=True, eq=False)
-class SectionLaw:
-    """The placed section along the axis. joints: arc lengths every face is cut at, because a
-    thickness, a material or the whole section steps there; folds: where faces change slope."""
-
-    sections: tuple[Section, ...]
-    cells: tuple[Cell, ...]
-    joints: tuple[float, ...]
-    folds: tuple[float, ...]
-    face_steps: tuple[FaceSteps, ...]
-    findings: tuple[Finding, ...]
-
-    @property
-    def strips(self):
-        """The strips of the section; faces and letters are the same in every segment."""
-        return self.sections[0].strips
-
-    @property
-    def length(self) -> float:
-        return self.cells[-1].end
+    transition: str = "linear"
 
 
 def section_law(
@@ -121,10 +65,10 @@ def section_law(
 
     The cut of segment k + 1 starts transition b-k, which reaches L' = slope · d into it, d the
     largest face-to-face step after alignment (`face`) or the larger change of h and b (`total`,
-    the paper's). Sizes, gaps and offsets vary linearly in arc length (paper Eq. 4). Thicknesses
-    change at a transition's end on the thinner side. offset_y, offset_z: of the whole member.
-    Raises BendTorsionError for a type change, cuts out of order or beyond the axis, and
-    transitions that overlap or run past the end.
+    the paper's). Sizes, gaps and offsets vary linearly in arc length (paper Eq. 4), or smoothly
+    over the same length. Thicknesses change at a transition's end on the thinner side. offset_y,
+    offset_z: of the whole member. Raises BendTorsionError for a change of type or strips, cuts
+    out of order or beyond the axis, and transitions that overlap or run past the end.
     """
     segments = [
         replace(segment, cut=segment.cut * length, cut_is_ratio=False)
@@ -169,6 +113,19 @@ def section_law(
         )
         for place in sorted(joints)
     ]
+    warnings += [
+        note(
+            "smooth-transition-steeper",
+            member,
+            f"transition b-{k} is steepest in its middle",
+            f"set its slope to {SMOOTH_STEEPEST * later.slope:g} for 1:{later.slope:g} there",
+            position=f"segment {k + 1}",
+            value=f"1:{later.slope / SMOOTH_STEEPEST:.3g}",
+            limit=f"1:{later.slope:g}",
+        )
+        for k, later in enumerate(segments[1:], start=1)
+        if later.transition == "smooth" and ends[k - 1] > later.cut
+    ]
     for k, step in enumerate(steps):
         gaps_differ = not np.allclose(_gaps(segments[k].section), _gaps(segments[k + 1].section))
         abrupt = ends[k] == segments[k + 1].cut
@@ -192,6 +149,7 @@ def section_law(
 def _segment_findings(member: str, segments: Sequence[Segment], length: float) -> list[Finding]:
     findings = []
     first_type = segments[0].section.type
+    first_strips = [_pattern(strip) for strip in segments[0].section.strips]
     previous_cut = 0.0
     for number, segment in enumerate(segments, start=1):
         place = f"segment {number}"
@@ -205,6 +163,28 @@ def _segment_findings(member: str, segments: Sequence[Segment], length: float) -
                     position=place,
                     value=segment.section.type,
                     limit=first_type,
+                )
+            )
+        elif [_pattern(s) for s in segment.section.strips] != first_strips:
+            findings.append(
+                error(
+                    "strips-change",
+                    member,
+                    "the strips of the section change within the member",
+                    "use sections with the same strips, or start another member",
+                    position=place,
+                    value=len(segment.section.strips),
+                    limit=len(first_strips),
+                )
+            )
+        if segment.transition not in TRANSITIONS:
+            findings.append(
+                error(
+                    "transition-kind",
+                    member,
+                    f"transition {segment.transition!r} is not known",
+                    f"use {' or '.join(TRANSITIONS)}",
+                    position=place,
                 )
             )
         if segment.align not in ALIGNMENTS or segment.align_to not in ALIGN_TO:
@@ -249,6 +229,13 @@ def _segment_findings(member: str, segments: Sequence[Segment], length: float) -
             )
         previous_cut = segment.cut
     return findings
+
+
+def _pattern(strip: Strip) -> tuple:
+    """What of a strip must not change along a member."""
+    stops = [stop and (stop.face, stop.at) for stop in (strip.stops_at_first,
+                                                        strip.stops_at_second)]
+    return strip.face, strip.letter, strip.first, strip.second, strip.inward, strip.line, *stops
 
 
 def _placed(segments: Sequence[Segment], offset_y: float, offset_z: float) -> list[np.ndarray]:
@@ -337,7 +324,7 @@ def _zones(
     ends: Sequence[float],
     length: float,
 ) -> list[tuple]:
-    """(label, start, end, corners and gaps at both ends) of the zones along the axis."""
+    """(label, start, end, corners and gaps as powers of arc length) of the zones along the axis."""
     zones = []
     start = 0.0
     for k, segment in enumerate(segments):
@@ -348,7 +335,12 @@ def _zones(
         end = segments[k + 1].cut if k + 1 < len(segments) else length
         zones.append((f"d-{k + 1}", start, end, k, k))
     return [
-        (label, a, b, placed[i], placed[j], _gaps(segments[i].section), _gaps(segments[j].section))
+        (
+            label, a, b,
+            powers(placed[i], placed[j], b - a, i != j and segments[j].transition == "smooth"),
+            powers(_gaps(segments[i].section), _gaps(segments[j].section), b - a,
+                    i != j and segments[j].transition == "smooth"),
+        )
         for label, a, b, i, j in zones
     ]
 
@@ -356,7 +348,7 @@ def _zones(
 def _cells(segments: Sequence[Segment], zones: list, changes: list[tuple[float, int, int]]):
     """The zones, cut where a thickness changes inside one."""
     first = segments[0].section
-    for label, start, end, corners0, corners1, gaps0, gaps1 in zones:
+    for label, start, end, corner_powers, gap_powers in zones:
         inner = {place for place, _, _ in changes if start < place < end}
         edges = [start, *sorted(inner), end]
         for a, b in zip(edges[:-1], edges[1:], strict=True):
@@ -366,20 +358,22 @@ def _cells(segments: Sequence[Segment], zones: list, changes: list[tuple[float, 
                 if place <= a:
                     thickness[j] = segments[k].section.strips[j].thickness
                     materials[j] = segments[k].section.material
-            corner_rates = (corners1 - corners0) / (end - start)
-            gap_rates = (gaps1 - gaps0) / (end - start)
+            corners, corner_rates, corner_bends = shifted(corner_powers, a - start)
+            gaps, gap_rates, gap_bends = shifted(gap_powers, a - start)
             yield Cell(
                 label,
                 a,
                 b,
-                corners0 + (a - start) * corner_rates,
+                corners,
                 corner_rates,
-                gaps0 + (a - start) * gap_rates,
+                gaps,
                 gap_rates,
                 thickness,
                 tuple(materials),
+                corner_bends,
+                gap_bends,
             )
 
 
 def _slopes_differ(before: Cell, after: Cell) -> bool:
-    return bool(np.abs(before.corner_rates - after.corner_rates).max() > 1e-12)
+    return bool(np.abs(before.end_rates - after.corner_rates).max() > 1e-12)

@@ -49,7 +49,12 @@ def dxf_axes(path: str | Path) -> dict[str, AxisSource]:
             error("axis-file-unit", path.name, "the drawing's unit is none of mm, cm, dm, m, "
                   "inch, foot", "set $INSUNITS to 4 (mm)", position="$INSUNITS", value=int(code))
         )
-    entities = [e for e in document.modelspace() if e.dxftype() in KINDS]
+    entities = [
+        entity for entity in document.modelspace()
+        if entity.dxftype() in KINDS
+        and not (entity.dxftype() == "POLYLINE" and (entity.is_polygon_mesh
+                                                     or entity.is_poly_face_mesh))
+    ]
     inserts = len(document.modelspace().query("INSERT"))
     findings = (
         warning("axis-file-blocks", path.name, "blocks of the drawing were not looked into",
@@ -76,7 +81,7 @@ def _source(name: str, entities: list, scale: float, findings: tuple[Finding, ..
         kind = entity.dxftype()
         if kind == "POINT":
             points.append(np.array(entity.dxf.location) * scale)
-        elif kind in ("LWPOLYLINE", "POLYLINE") and entity.has_arc:
+        elif kind in ("LWPOLYLINE", "POLYLINE") and _has_bulge(entity):
             for part in entity.virtual_entities():
                 if part.dxftype() == "LINE":
                     polylines.append(_vertices(part) * scale)
@@ -92,16 +97,20 @@ def _source(name: str, entities: list, scale: float, findings: tuple[Finding, ..
     return axis_source(name, tuple(curves), tuple(polylines), np.array(points), findings)
 
 
+def _has_bulge(entity) -> bool:
+    if entity.dxftype() == "LWPOLYLINE":
+        return entity.has_arc
+    return any(vertex.dxf.bulge for vertex in entity.vertices)
+
+
 def _vertices(entity) -> np.ndarray:
     if entity.dxftype() == "LINE":
         return np.array([tuple(entity.dxf.start), tuple(entity.dxf.end)])
-    if entity.dxftype() == "LWPOLYLINE":
-        points = np.array([tuple(point) for point in entity.vertices_in_wcs()])
-        closed = entity.closed
-    else:
-        points = np.array([tuple(point) for point in entity.points_in_wcs()])
-        closed = entity.is_closed
-    return np.vstack([points, points[:1]]) if closed else points
+    if entity.dxftype() == "POLYLINE":
+        lines = [_vertices(part) for part in entity.virtual_entities()]
+        return np.vstack([lines[0][:1], *(line[1:] for line in lines)])
+    points = np.array([tuple(point) for point in entity.vertices_in_wcs()])
+    return np.vstack([points, points[:1]]) if entity.closed else points
 
 
 def _curve(entity, scale: float) -> Curve:

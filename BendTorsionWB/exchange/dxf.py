@@ -143,6 +143,9 @@ def _new_document(names: Mapping[str, str], corners: np.ndarray) -> Drawing:
 def _bytes(document: Drawing) -> bytes:
     """The document's text without time stamps and unique identifiers."""
     document.ezdxf_metadata()["CREATED_BY_EZDXF"] = ezdxf.__version__
+    # ezdxf declares the types in use in the order of a set, another one in every process.
+    for name in sorted(document.entitydb.dxf_types_in_use()):
+        document.classes.add_class(name)
     stream = io.StringIO()
     before = ezdxf.options.write_fixed_meta_data_for_testing
     ezdxf.options.write_fixed_meta_data_for_testing = True

@@ -4,13 +4,15 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from pathlib import Path
 
 import numpy as np
 
 from BendTorsionWB.core.finding import BendTorsionError, Finding
+from BendTorsionWB.exchange.schedule_cells import Cut, FilePart, Joints
 from BendTorsionWB.exchange.schedule_checks import check
-from BendTorsionWB.exchange.schedule_columns import SHEETS, Cut, Joints
+from BendTorsionWB.exchange.schedule_columns import SHEETS
 from BendTorsionWB.exchange.schedule_workbook import Place, Record, read_records
 
 _BUILT_IN = Place("built in", "", None)
@@ -58,7 +60,8 @@ class MaterialRow(Row):
 
 @dataclass(frozen=True)
 class SurfaceRow(Row):
-    """sizes: the kind's parameters, mm (cone `angle`: rad); centre, offset: mm."""
+    """sizes: the kind's parameters, mm (cone `angle`: rad); centre, offset: mm; file: of kind
+    `file`, else None."""
 
     name: str
     kind: str
@@ -66,6 +69,7 @@ class SurfaceRow(Row):
     centre: tuple[float, float, float]
     offset: float
     flip: bool
+    file: FilePart | None
 
 
 @dataclass(frozen=True)
@@ -80,8 +84,26 @@ class PointRow(Row):
 
 
 @dataclass(frozen=True)
+class FrameRow(Row):
+    """A direction at a place of an axis: angle in rad, or z the direction."""
+
+    s: Cut
+    angle: float | None
+    z: tuple[float, float, float] | None
+
+
+@dataclass(frozen=True)
+class PresetRow(Row):
+    """A displacement at a place of an axis; mm."""
+
+    s: Cut
+    move: tuple[float, float, float]
+
+
+@dataclass(frozen=True)
 class AxisRow(Row):
-    """points in the order of their numbers; max_spacing in mm or None."""
+    """points in the order of their numbers, none with a source; max_spacing, start_z and end_z in
+    mm or None; dz and extensions in mm."""
 
     name: str
     surface: str
@@ -89,10 +111,21 @@ class AxisRow(Row):
     fit: str
     max_spacing: float | None
     points: tuple[PointRow, ...]
+    source: FilePart | None
+    closed: bool
+    start_z: float | None
+    end_z: float | None
+    start_dz: float
+    end_dz: float
+    start_extension: float
+    end_extension: float
+    frames: tuple[FrameRow, ...]
+    presets: tuple[PresetRow, ...]
 
     def coordinates(self) -> np.ndarray:
         """(n, 3) mm, in order."""
-        return np.array([(point.x, point.y, point.z) for point in self.points])
+        points = [(point.x, point.y, point.z) for point in self.points]
+        return np.array(points, float).reshape(-1, 3)
 
 
 @dataclass(frozen=True)
@@ -150,7 +183,8 @@ class SplitRow(Row):
 
 @dataclass(frozen=True)
 class Schedule:
-    """A whole schedule, free of every error that can be told without geometry."""
+    """A whole schedule, free of every error that can be told without geometry. folder: where the
+    workbook lies, which names of files are relative to."""
 
     file: str
     settings: Settings
@@ -160,6 +194,7 @@ class Schedule:
     sections: tuple[SectionRow, ...]
     members: tuple[MemberRow, ...]
     splits: tuple[SplitRow, ...]
+    folder: str = field(default="", compare=False, repr=False)
 
     def material(self, name: str) -> MaterialRow:
         """The material of this name; KeyError when there is none, as for the three below."""
@@ -201,7 +236,7 @@ def read_schedule(path) -> Schedule:
         order = {sheet: index for index, sheet in enumerate(SHEETS)}
         faults.sort(key=lambda fault: (order.get(fault[0].sheet, len(order)), fault[0].row or 0))
         raise BendTorsionError(finding for _, finding in faults)
-    return _schedule(records, settings)
+    return replace(_schedule(records, settings), folder=str(Path(path).parent))
 
 
 def _schedule(records: dict[str, list[Record] | None], values: dict) -> Schedule:
@@ -235,7 +270,8 @@ def _surface(row: Record) -> SurfaceRow:
         given["angle"] = math.radians(given["angle"])
     sizes = tuple(given.items())
     return SurfaceRow(
-        row.place, row["surface"], row["kind"], sizes, centre, row["offset"], row["flip"]
+        row.place, row["surface"], row["kind"], sizes, centre, row["offset"], row["flip"],
+        row["file"],
     )
 
 
@@ -244,6 +280,14 @@ def _axes(records) -> tuple[AxisRow, ...]:
     for row in records["Points"]:
         point = PointRow(row.place, row["axis"], row["no"], row["x"], row["y"], row["z"])
         points.setdefault(point.axis, []).append(point)
+    frames: dict[str, list[FrameRow]] = {}
+    for row in records["Frames"] or []:
+        z = None if row["x"] is None else (row["x"], row["y"], row["z"])
+        frames.setdefault(row["axis"], []).append(FrameRow(row.place, row["s"], row["angle"], z))
+    presets: dict[str, list[PresetRow]] = {}
+    for row in records["Presets"] or []:
+        move = row["dx"], row["dy"], row["dz"]
+        presets.setdefault(row["axis"], []).append(PresetRow(row.place, row["s"], move))
     return tuple(
         AxisRow(
             row.place,
@@ -252,7 +296,17 @@ def _axes(records) -> tuple[AxisRow, ...]:
             row["frame"],
             row["fit"],
             row["max_spacing"],
-            tuple(sorted(points[row["axis"]], key=lambda point: point.number)),
+            tuple(sorted(points.get(row["axis"], []), key=lambda point: point.number)),
+            row["source"],
+            row["closed"],
+            row["start_z"],
+            row["end_z"],
+            row["start_dz"],
+            row["end_dz"],
+            row["start_extension"],
+            row["end_extension"],
+            tuple(frames.get(row["axis"], [])),
+            tuple(presets.get(row["axis"], [])),
         )
         for row in records["Axes"]
     )

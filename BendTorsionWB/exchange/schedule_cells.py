@@ -233,12 +233,11 @@ def cut(value) -> Cut:
 
 
 def joints(value) -> Joints:
-    """Rising positions parted by blanks: all <= 1 are ratios, otherwise all are mm."""
+    """Rising positions parted by blanks: all <= 1 are ratios, otherwise all are mm; or `auto`."""
     words = str(value).split()
     if [word.lower() for word in words] == ["auto"]:
-        mend = "write ratios such as 0.2 0.4 1, or mm"
-        raise BadCell("not-supported-yet", "joints auto is not supported yet", mend)
-    mend = "write rising ratios such as 0.2 0.4 1, or rising mm, parted by blanks"
+        return Joints((), "auto")
+    mend = "write rising ratios such as 0.2 0.4 1, or rising mm, parted by blanks, or auto"
     try:
         numbers = [Number(above=0.0)(word) for word in words]
     except BadCell as bad:

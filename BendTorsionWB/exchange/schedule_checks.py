@@ -8,12 +8,13 @@ from collections import defaultdict
 import numpy as np
 from scipy.spatial import cKDTree
 
+from BendTorsionWB.exchange.schedule_axis_checks import check_frames, check_presets
+from BendTorsionWB.exchange.schedule_cells import did_you_mean
 from BendTorsionWB.exchange.schedule_columns import (
     CENTRE_PARAMETERS,
     FIRST_SEGMENT_COLUMNS,
     SETTINGS,
     SURFACE_PARAMETERS,
-    did_you_mean,
 )
 from BendTorsionWB.exchange.schedule_workbook import Record, parse_cell
 
@@ -34,6 +35,8 @@ _KEYS = {
 # Names that must be a row of another sheet: (sheet, column, the other sheet, its column).
 _REFERENCES = (
     ("Points", "axis", "Axes", "axis"),
+    ("Frames", "axis", "Axes", "axis"),
+    ("Presets", "axis", "Axes", "axis"),
     ("Axes", "surface", "Surfaces", "surface"),
     ("Sections", "material", "Materials", "material"),
     ("Members", "axis", "Axes", "axis"),
@@ -56,8 +59,10 @@ def check(records: dict[str, list[Record] | None], faults: list) -> dict[str, ob
     _default_material(records, faults)
     for record in records["Surfaces"] or []:
         _surface(record, faults)
-    if records["Points"] and records["Axes"]:
+    if records["Points"] is not None and records["Axes"]:
         _points(records["Points"], records["Axes"], faults)
+    check_frames(records["Frames"] or [], records["Axes"] or [], faults)
+    check_presets(records["Presets"] or [], faults)
     for record in records["Sections"] or []:
         _section(record, faults)
     axes = {record["axis"] for record in records["Axes"] or []}
@@ -137,8 +142,14 @@ def _default_material(records, faults):
 
 def _surface(record, faults):
     kind, given = record["kind"], record["parameters"]
-    if kind is None or given is None:
+    if kind is None or given is None or "file" in record.bad:
         return
+    if kind == "file":
+        _file_surface(record, given, faults)
+        return
+    if record["file"] is not None:
+        message = f"a {kind} is described by its parameters, not by a file"
+        _report(faults, record, "file", "file-not-used", message, "empty the cell, or kind file")
     needed = SURFACE_PARAMETERS[kind]
     example = " ".join(f"{key}=..." for key in needed) or "nothing, or x= y= z="
 
@@ -163,6 +174,15 @@ def _surface(record, faults):
         report("out-of-range", "r is not below R: the torus would cut itself", **fields)
 
 
+def _file_surface(record, given, faults):
+    if record["file"] is None:
+        mend = "write a STEP, IGES or BREP file, relative to the schedule"
+        _report(faults, record, "file", "value-missing", "kind file needs a file", mend)
+    if given:
+        message = "a surface from a file stands where the file puts it: no parameters"
+        _report(faults, record, "parameters", "bad-parameters", message, "empty the cell")
+
+
 def _points(points, axes, faults):
     by_axis = defaultdict(list)
     for record in points:
@@ -171,23 +191,41 @@ def _points(points, axes, faults):
     count_is_known = not by_axis[None]
     for axis in axes:
         rows = by_axis[axis["axis"]]
-        if count_is_known and axis["axis"] is not None and len(rows) < 2:
-            message = f"axis {axis['axis']} has fewer than two points"
+        if axis["axis"] is None or "source" in axis.bad:
+            continue
+        if axis["source"] is not None:
+            if rows:
+                message = f"axis {axis['axis']} has a source and points"
+                mend = "empty source, or delete its rows on sheet Points"
+                _report(faults, axis, "source", "source-and-points", message, mend)
+            continue
+        least = 3 if axis["closed"] else 2
+        if count_is_known and len(rows) < least:
+            words = "three" if least == 3 else "two"
+            message = f"axis {axis['axis']} has fewer than {words} points"
             mend = "add its points to sheet Points"
-            fields = {"value": len(rows), "limit": "at least 2", "unit": "points"}
+            fields = {"value": len(rows), "limit": f"at least {least}", "unit": "points"}
             _report(faults, axis, "axis", "too-few-points", message, mend, **fields)
+    rings = {axis["axis"] for axis in axes if axis["closed"]}
     for name, rows in by_axis.items():
         whole = [row for row in rows if not row.bad & {"x", "y", "z"}]
         if name is None or len(whole) < 2:
             continue
         places = np.array([[row["x"], row["y"], row["z"]] for row in whole])
+        ends = {min(whole, key=_number).place.row, max(whole, key=_number).place.row}
         for first, second in sorted(cKDTree(places).query_pairs(COINCIDENT_POINTS)):
             record, other = whole[second], whole[first]
+            if name in rings and {record.place.row, other.place.row} == ends and len(whole) > 3:
+                continue
             message = f"the point lies on point {other['no']} in row {other.place.row}"
             mend = "delete one of the two or correct its coordinates"
             fields = {"limit": f"{COINCIDENT_POINTS:g} mm apart"}
             fields["value"] = ", ".join(f"{figure:g}" for figure in places[second])
             _report(faults, record, "x", "coincident-points", message, mend, **fields)
+
+
+def _number(record) -> int:
+    return record["no"] or 0
 
 
 def _section(record, faults):

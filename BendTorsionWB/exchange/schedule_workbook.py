@@ -22,14 +22,8 @@ from openpyxl.utils.cell import coordinate_to_tuple
 from openpyxl.utils.exceptions import InvalidFileException
 
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error
-from BendTorsionWB.exchange.schedule_columns import (
-    LATER_SHEETS,
-    OPTIONAL_SHEETS,
-    SHEETS,
-    BadCell,
-    Percent,
-    did_you_mean,
-)
+from BendTorsionWB.exchange.schedule_cells import BadCell, Percent, did_you_mean
+from BendTorsionWB.exchange.schedule_columns import LATER_SHEETS, OPTIONAL_SHEETS, SHEETS
 
 LARGEST_UNPACKED = 200e6
 """Bytes a workbook may unpack to."""
@@ -152,7 +146,7 @@ def read_records(path) -> tuple[dict[str, list[Record] | None], list[tuple[Place
     records: dict[str, list[Record] | None] = {}
     for title, columns in SHEETS.items():
         place = Place(path.name, title)
-        records[title] = [] if title in OPTIONAL_SHEETS else None
+        records[title] = [] if title in OPTIONAL_SHEETS and title not in renamed else None
         if title in present:
             holes = hollow.get(title, {})
             records[title] = _read_sheet(workbook[title], place, columns, holes, faults)
@@ -203,7 +197,8 @@ def _read_sheet(sheet, place, columns, hollow, faults) -> list[Record] | None:
         records.append(_read_row(cells, here, by_index, raw, hollow, faults))
     if not complete:
         return None
-    if not records and place.sheet not in OPTIONAL_SHEETS:
+    # Points has no rows where every axis comes from a file.
+    if not records and place.sheet not in (*OPTIONAL_SHEETS, "Points"):
         message = f"sheet {place.sheet} has no rows"
         mend = "fill in at least one row below the headings"
         faults.append((place, place.error("", "sheet-empty", message, mend)))

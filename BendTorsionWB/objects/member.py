@@ -19,7 +19,7 @@ _DISTANCE = "App::PropertyDistance"
 
 
 class Member(Proxy):
-    """A member: its outer skin is the shape."""
+    """A member: its outer skin (of open sections its strips) is the shape."""
 
     TYPE = "Member"
     PROPERTIES = (
@@ -85,6 +85,9 @@ def segment_properties(count: int) -> tuple[Property, ...]:
                 Property("App::PropertyFloat", f"Slope{k}", group,
                          "Length of the transition per millimetre of step; 0 for a step",
                          zones.DEFAULT_SLOPE),
+                Property("App::PropertyEnumeration", f"Transition{k}", group,
+                         "Linear, with a fold at each end, or smooth over the same length",
+                         "linear", zones.TRANSITIONS),
             ]
         properties += [
             Property("App::PropertyEnumeration", f"Align{k}", group,
@@ -115,16 +118,17 @@ def value(obj) -> detailing.MemberGeometry:
         obj.OffsetZ.Value,
         math.radians(obj.Roll.Value),
         obj.TransitionLength,
+        axis_object.frame_value(target),
     )
     return detailing.member_of(given, axis, axis_object.surface_value(target))
 
 
 def _segment(obj, k: int) -> zones.Segment:
     section = section_object.value(linked(obj, f"Section{k}", "SectionSpec"))
-    cut, ratio, slope = 0.0, 0.0, zones.DEFAULT_SLOPE
+    cut, ratio, slope, transition = 0.0, 0.0, zones.DEFAULT_SLOPE, "linear"
     if k > 1:
         cut, ratio = getattr(obj, f"Cut{k}").Value, getattr(obj, f"CutRatio{k}")
-        slope = getattr(obj, f"Slope{k}")
+        slope, transition = getattr(obj, f"Slope{k}"), getattr(obj, f"Transition{k}")
     return zones.Segment(
         section,
         ratio or cut,
@@ -134,4 +138,5 @@ def _segment(obj, k: int) -> zones.Segment:
         getattr(obj, f"OffsetY{k}").Value,
         getattr(obj, f"OffsetZ{k}").Value,
         bool(ratio),
+        transition,
     )

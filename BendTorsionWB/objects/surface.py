@@ -9,6 +9,7 @@ import Part
 
 from BendTorsionWB.core import surface as core_surface
 from BendTorsionWB.core.finding import BendTorsionError, error
+from BendTorsionWB.core.surface_check import size_findings
 from BendTorsionWB.objects.proxy import Property, Proxy
 from BendTorsionWB.shapes import from_part, surface_shape
 
@@ -24,7 +25,8 @@ class Surface(Proxy):
     PROPERTIES = (
         Property("App::PropertyEnumeration", "Kind", "Surface", "Kind of surface", "ellipsoid",
                  KINDS),
-        Property("App::PropertyLinkSub", "Source", "Surface", "The face, for kind `face`"),
+        Property("App::PropertyLinkSub", "Source", "Surface",
+                 "The face, or a whole shape of faces, for kind `face`"),
         Property(_LENGTH, "a", "Surface", "Half-axis along x (ellipsoid)", 40000.0),
         Property(_LENGTH, "b", "Surface", "Half-axis along y (ellipsoid)", 30000.0),
         Property(_LENGTH, "c", "Surface", "Half-axis along z (ellipsoid)", 20000.0),
@@ -40,9 +42,9 @@ class Surface(Proxy):
     )
 
     def build(self, obj):
-        value(obj)
+        surface = value(obj)
         obj.Shape = surface_shape.shape(obj.Kind, _sizes(obj), _origin(obj), source_shape(obj))
-        return ()
+        return size_findings(surface, obj.Label)
 
 
 def value(obj) -> core_surface.Surface:

@@ -65,9 +65,9 @@ def _samples(geometry: MemberGeometry) -> np.ndarray:
 def _reach(geometry: MemberGeometry) -> float:
     """Largest distance of a corner from the axis."""
     corners = [
-        cell.corners + length * cell.corner_rates
+        corners
         for cell in geometry.member.law.cells
-        for length in (0.0, cell.end - cell.start)
+        for corners in cell.corners_at(np.array([cell.start, cell.end]))
     ]
     return float(np.linalg.norm(np.concatenate(corners), axis=1).max())
 

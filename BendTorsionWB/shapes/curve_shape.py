@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Core curves as Part edges."""
+"""Core curves and polylines as Part edges."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import FreeCAD
 import numpy as np
@@ -24,3 +26,14 @@ def edge(curve: Curve) -> Part.Edge:
         [float(weight) for weight in weights],
     )
     return spline.toShape()
+
+
+def polylines(lines: Sequence[np.ndarray]) -> Part.Compound:
+    """Polylines (m, 3) as one edge each, by chord length."""
+    edges = []
+    for line in lines:
+        line = np.asarray(line, float)
+        steps = np.linalg.norm(np.diff(line, axis=0), axis=1)
+        arc = np.concatenate([[0.0], np.cumsum(steps)])
+        edges.append(edge(Curve(1, np.concatenate([[0.0], arc, arc[-1:]]), line)))
+    return Part.makeCompound(edges)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import FreeCAD  # noqa: F401  Part crashes the interpreter when it is loaded before FreeCAD
 import numpy as np
@@ -12,28 +13,36 @@ import Part
 from ..core.curve import Curve
 from ..core.finding import BendTorsionError, error
 from ..core.nurbs import NurbsPatch
-from ..core.patches import PatchSurface
+from ..core.patch_split import smooth_patches
+from ..core.patch_trim import Trim
+from ..core.patches import CREASE, PatchSurface
 
 # Ends of edges that meet in a chain, mm.
 CHAIN_GAP = 1e-3
 # A face's range this near to its surface's, relative, is the whole range.
 _RANGE = 1e-9
+# Wires this near to the border of the u, v rectangle, relative, run along it.
+_ALONG_BORDER = 1e-6
+# Polylines of wires keep this near to them, mm; and have no more points than this per edge.
+_WIRE_SAG = 0.002
+_MOST_WIRE_POINTS = 2049
 
 
 def surface_from_part(shape: Part.Shape, object: str = "surface") -> PatchSurface:
     """All faces of a shape as one surface, exactly, oriented by `PatchSurface`'s rule.
 
-    Wires are not regarded: each face counts with its whole u, v rectangle. object: name used in
-    findings. Raises BendTorsionError for a shape without faces.
+    Each face is exact over its whole u, v rectangle; its wires tell what lies outside it. Faces
+    are cut at creases inside them. object: name used in findings. Raises BendTorsionError for a
+    shape without faces.
     """
     if shape is None or shape.isNull() or not shape.Faces:
         raise BendTorsionError(
             error("no-face", object, "the shape has no faces", "choose a face, shell or solid")
         )
-    patches = tuple(
+    patches = [
         patch_from_face(face, object, f"Face{k + 1}") for k, face in enumerate(shape.Faces)
-    )
-    return PatchSurface(patches)
+    ]
+    return PatchSurface(tuple(part for patch in patches for part in smooth_patches(patch, CREASE)))
 
 
 def patch_from_face(face: Part.Face, object: str = "surface", position: str = "") -> NurbsPatch:
@@ -62,7 +71,7 @@ def patch_from_face(face: Part.Face, object: str = "surface", position: str = ""
             error("face-conversion", object, f"the face is no usable surface: {problem}",
                   "rebuild the face or choose another", position=position)
         ) from problem
-    return NurbsPatch(
+    patch = NurbsPatch(
         surface.UDegree,
         surface.VDegree,
         np.repeat(surface.getUKnots(), surface.getUMultiplicities()).astype(float),
@@ -71,6 +80,46 @@ def patch_from_face(face: Part.Face, object: str = "surface", position: str = ""
         None if np.ptp(weights) == 0 else weights,
         -1 if converted.Orientation == "Reversed" else 1,
     )
+    return replace(patch, trim=_trim(converted, patch))
+
+
+def _trim(face: Part.Face, patch: NurbsPatch) -> Trim | None:
+    """The wires of a face in its u, v; None when they run round the whole rectangle."""
+    lines, done = [], []
+    for edge in face.Edges:
+        if any(edge.isSame(other) for other in done):
+            continue
+        done.append(edge)
+        index = 0
+        # A seam has two curves in u, v, and both bound the rectangle.
+        while (found := edge.curveOnSurface(index)) is not None:
+            lines.append(_polyline(patch, found[0], found[-2], found[-1]))
+            index += 1
+    low, high = patch.domain.T
+    near = _ALONG_BORDER * (high - low)
+    along = [
+        any(
+            np.ptp(line[:, k]) <= near[k] and min(abs(line[0, k] - end[k]) for end in (low, high))
+            <= near[k]
+            for k in (0, 1)
+        )
+        for line in lines
+    ]
+    return None if all(along) else Trim(tuple(lines))
+
+
+def _polyline(patch: NurbsPatch, curve, first: float, last: float) -> np.ndarray:
+    """Points (m, 2) on a curve in u, v, as many as keep its chords on the surface near to it."""
+    count = 17
+    while True:
+        points = [curve.value(t) for t in np.linspace(first, last, 2 * count - 1)]
+        line = np.array([(point.x, point.y) for point in points])
+        middle = 0.5 * (line[:-1:2] + line[2::2])
+        exact = patch.evaluate(line[1::2, 0], line[1::2, 1])[0]
+        sag = np.linalg.norm(patch.evaluate(middle[:, 0], middle[:, 1])[0] - exact, axis=1).max()
+        if sag <= _WIRE_SAG or 2 * count - 1 >= _MOST_WIRE_POINTS:
+            return line
+        count = 2 * count - 1
 
 
 def curve_from_part(shape: Part.Shape, object: str = "axis") -> Curve:

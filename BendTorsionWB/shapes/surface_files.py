@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Shapes from STEP, IGES and BREP files, whole or one named part of a STEP file."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from pathlib import Path
+
+import FreeCAD  # noqa: F401  Part crashes the interpreter when it is loaded before FreeCAD
+import Part
+
+from ..core.finding import BendTorsionError, error
+from .step_names import names_in, only_named
+
+KINDS = {
+    ".step": "STEP",
+    ".stp": "STEP",
+    ".iges": "IGES",
+    ".igs": "IGES",
+    ".brep": "BREP",
+    ".brp": "BREP",
+}
+
+
+def faces_from_file(path: str | os.PathLike, name: str = "", object: str = "surface") -> Part.Shape:
+    """The faces of a file, or of its part called `name`; raises BendTorsionError for a file that
+    is missing, unreadable, of another kind, or without faces."""
+    shape = shape_from_file(path, name, object)
+    if not shape.Faces:
+        raise _fault(
+            "surface-file-empty",
+            path,
+            object,
+            "there is no face in it",
+            "export faces, a shell or a solid",
+        )
+    return shape
+
+
+def shape_from_file(path: str | os.PathLike, name: str = "", object: str = "file") -> Part.Shape:
+    """The shape of a file, or of its part called `name`; raises BendTorsionError."""
+    path = Path(path)
+    kind = KINDS.get(path.suffix.lower())
+    if kind is None:
+        raise _fault(
+            "file-kind",
+            path,
+            object,
+            "this kind of file is not read",
+            f"use {', '.join(sorted(KINDS))}",
+        )
+    if not path.is_file():
+        raise _fault(
+            "file-missing",
+            path,
+            object,
+            "there is no such file",
+            "write its path relative to the schedule",
+        )
+    if name and kind != "STEP":
+        raise _fault(
+            "file-without-names",
+            path,
+            object,
+            f"parts of {kind} files have no names",
+            "write the file alone, or use STEP",
+        )
+    return _named(path, name, object) if name else _read(path, path, kind, object)
+
+
+def _named(path: Path, name: str, object: str) -> Part.Shape:
+    """The shape of one named part of a STEP file. FreeCAD 0.20's own reader of names crashes on
+    free curves, so the file is cut down to the part and read without names."""
+    text = path.read_text(encoding="latin-1")
+    alone = only_named(text, name)
+    if alone is None:
+        known = ", ".join(names_in(text)[:12]) or "no names"
+        raise _fault(
+            "file-name-unknown",
+            path,
+            object,
+            f"nothing in it is called {name!r}",
+            f"it holds {known}",
+        )
+    with tempfile.TemporaryDirectory() as folder:
+        part = Path(folder) / "part.step"
+        part.write_text(alone, encoding="latin-1")
+        return _read(part, path, "STEP", object)
+
+
+def _read(part: Path, path: Path, kind: str, object: str) -> Part.Shape:
+    try:
+        shape = Part.Shape()
+        shape.read(str(part))
+    except Exception as problem:
+        raise _fault(
+            "file-unreadable", path, object, f"it cannot be read as {kind}", "export it again"
+        ) from problem
+    if shape.isNull():
+        raise _fault(
+            "file-unreadable", path, object, f"it cannot be read as {kind}", "export it again"
+        )
+    return shape
+
+
+def _fault(code, path, object, message, mend) -> BendTorsionError:
+    name = Path(path).name
+    return BendTorsionError(error(code, object, f"{name}: {message}", mend, value=name))

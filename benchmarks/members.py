@@ -1,0 +1,301 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Members against truth and against FreeCAD's own lofts and sweeps.
+
+Run: python3 benchmarks/members.py [random members, 300 when left out]
+
+Truth: corners from positions of the axis, normals of the ellipsoid and the section alone. Errors
+are distances of true corners from the long edges of the solid, everywhere between the stations.
+Times are CPU times on one core, best run.
+"""
+
+import os
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
+
+from BendTorsionWB import freecad_path  # noqa: E402
+
+freecad_path.append()
+
+import FreeCAD  # noqa: E402
+import Part  # noqa: E402
+from curved_members import ELLIPSOID, diagonal, in_space, irregular, member  # noqa: E402
+from exact_axes import curves  # noqa: E402
+from random_members import random_member  # noqa: E402
+
+from BendTorsionWB import make  # noqa: E402
+from BendTorsionWB.core import detailing, memo  # noqa: E402
+from BendTorsionWB.core.frames import surface_frames  # noqa: E402
+from BendTorsionWB.core.member import Member  # noqa: E402
+from BendTorsionWB.core.plates import Joints, split_plates  # noqa: E402
+from BendTorsionWB.core.section import box  # noqa: E402
+from BendTorsionWB.core.skin import skin  # noqa: E402
+from BendTorsionWB.core.volume import skin_volumes  # noqa: E402
+from BendTorsionWB.core.zones import Segment, section_law  # noqa: E402
+from BendTorsionWB.objects import plate_set  # noqa: E402
+from BendTorsionWB.shapes import brep  # noqa: E402
+
+LENGTH = 24000.0
+RING = np.array([(400.0, 400.0), (-400.0, 400.0), (-400.0, -400.0), (400.0, -400.0)])
+
+
+def vectors(points):
+    return [FreeCAD.Vector(*point) for point in points.tolist()]
+
+
+def best(build, repeats=7):
+    """Least CPU milliseconds of build(), and its last result."""
+    times = []
+    for _ in range(repeats):
+        start = time.process_time()
+        result = build()
+        times.append(1e3 * (time.process_time() - start))
+    return min(times), result
+
+
+def truth(built, s, cells=None):
+    """True corners (n, 4, 3) at s (n,)."""
+    plane = np.broadcast_to(RING, (len(s), 4, 2)) if cells is None else cells(s)
+    return np.stack([in_space(built, ELLIPSOID, s, plane[:, k]) for k in range(4)], axis=1)
+
+
+def edge_error(solid, points):
+    """Largest distance, mm, of corner points (n, 4, 3) from the long edges of a solid."""
+    edges = Part.Compound([e for e in solid.Edges if e.Length > 3 * 800 or len(solid.Edges) > 60])
+    return max(
+        edges.distToShape(Part.Vertex(*point))[0] for point in points.reshape(-1, 3).tolist()
+    )
+
+
+def lofted(rings, ruled):
+    wires = [Part.makePolygon(vectors(np.concatenate([ring, ring[:1]]))) for ring in rings]
+    return Part.makeLoft(wires, True, ruled)
+
+
+def piped(built):
+    """Spine and auxiliary spine interpolated through 193 points, the section kept in its plane."""
+    s = np.linspace(0.0, LENGTH, 193)
+    at = built.frames.at(s)
+    spines = []
+    for line in (at.origin, at.origin + 1000.0 * at.z):
+        curve = Part.BSplineCurve()
+        curve.interpolate(vectors(line))
+        spines.append(Part.Wire(curve.toShape()))
+    pipe = Part.BRepOffsetAPI.MakePipeShell(spines[0])
+    pipe.setAuxiliarySpine(spines[1], False, 0)
+    ring = truth(built, s[:1])[0]
+    pipe.add(Part.makePolygon(vectors(np.concatenate([ring, ring[:1]]))), False, False)
+    pipe.build()
+    pipe.makeSolid()
+    return pipe.shape()
+
+
+def corners():
+    print(f"\nCorners, 800 x 800 box, {LENGTH / 1000:.0f} m of a diagonal, 25 even stations")
+    axis = curves()["E-diag"].axis()
+    segment = Segment(box("S", "box1", 800, 800, 20))
+    built = Member("M1", surface_frames(axis, ELLIPSOID),
+                   section_law("M1", [segment], axis.length))
+    stations = np.linspace(0.0, LENGTH, 25)
+    at = truth(built, stations)
+    dense = np.linspace(0.0, LENGTH, 24 * 8 + 1)[1:-1]
+    exact = truth(built, dense)
+
+    def ours():
+        pieces = skin((built.corners(0.0, LENGTH),), tolerance=np.inf)
+        return brep.tube_solid([(p.knots, p.poles) for p in pieces])
+
+    rows = (("ours", ours), ("makeLoft smooth", lambda: lofted(at, False)),
+            ("makeLoft ruled", lambda: lofted(at, True)), ("pipe, auxiliary spine",
+                                                           lambda: piped(built)))
+    for name, build in rows:
+        milliseconds, solid = best(build, 3)
+        print(f"  {name:<24}{edge_error(solid, exact):10.1e} mm{milliseconds:9.1f} ms"
+              f"{len(solid.Faces):5d} faces  valid {solid.isValid()}")
+    for tolerance in (1e-3, 1e-6, 1e-8):
+        pieces = skin((built.corners(0.0, LENGTH),), tolerance=tolerance)
+        miss = np.linalg.norm(pieces[0].at(dense) - exact, axis=2).max()
+        print(f"  ours to {tolerance:g} mm: {len(pieces[0].knots) - 7} intervals, {miss:.1e} mm")
+
+
+def transitions():
+    print("\nCorners over transitions 800 -> 600, top-left flush (limit 1e-3 mm)")
+    for slope in (2.5, 4.0):
+        for kind in ("linear", "smooth"):
+            segments = [
+                Segment(box("A", "box1", 800, 800, 20)),
+                Segment(box("B", "box1", 600, 600, 20), 9000.0, slope, "top-left", "previous",
+                        transition=kind),
+            ]
+            built = member(segments)
+            reach = slope * 200.0
+            s = np.linspace(8000.0, 10000.0 + reach, 1201)
+
+            def plane(s, reach=reach, kind=kind):
+                x = np.clip((s - 9000.0) / reach, 0, 1)
+                x = x if kind == "linear" else 3 * x**2 - 2 * x**3
+                return RING + x[:, None, None] * (np.array(
+                    [(400, 400), (-200, 400), (-200, -200), (400, -200)]) - RING)
+
+            exact = truth(built, s, plane)
+            tube = detailing._corner_tubes(built)[0]
+            miss = 0.0
+            for piece in tube:
+                mine = (s >= piece.knots[0]) & (s <= piece.knots[-1])
+                miss = max(miss, np.linalg.norm(piece.at(s[mine]) - exact[mine], axis=2).max())
+            folds = np.array([9000.0, 9000.0 + reach])
+            own = np.linspace(0, built.length, 97)
+            clear = np.abs(own[:, None] - folds).min(axis=1) > 150.0
+            own = np.union1d(own[clear], folds)
+            loft = lofted(truth(built, own, plane), False)
+            peer = edge_error(loft, exact[::20])
+            print(f"  p = {slope:g}, {kind:<7} ours {miss:.1e} mm, makeLoft smooth with stations "
+                  f"at the folds {peer:.1e} mm")
+
+
+def thickness():
+    print("\nTrue plate thickness of the solids, 20 mm, folded members (limit 0.01 mm)")
+    worst = 0.0
+    for type in ("box1", "box2"):
+        built = member([
+            Segment(box("A", type, 800, 800, 20)),
+            Segment(box("B", type, 600, 600, 20), 9000.0, 2.5, "top-left", "previous"),
+        ])
+        for plate in split_plates(built, {})[0]:
+            for piece in detailing._plate_skin(plate):
+                s = np.repeat(np.linspace(piece.knots[0], piece.knots[-1], 60)[1:-1], 3)
+                w = np.tile([0.1, 0.5, 0.9], 58)[:, None]
+                rails = piece.at(s)
+                inner = rails[:, 3] + w * (rails[:, 2] - rails[:, 3])
+                worst = max(worst, np.abs(distances(piece, inner, s, w) - 20.0).max())
+    print(f"  worst difference {worst:.1e} mm")
+
+
+def distances(piece, points, s, w):
+    """Distance (n,) of points from the outer face, by Gauss-Newton from (s, w)."""
+    def outer(s, w):
+        rails = piece.at(s)
+        return rails[:, 0] + w * (rails[:, 1] - rails[:, 0])
+
+    for _ in range(5):
+        gap = outer(s, w) - points
+        along = (outer(s + 0.5, w) - outer(s - 0.5, w))
+        across = (outer(s, w + 1e-3) - outer(s, w - 1e-3)) / 2e-3
+        jacobian = np.stack([along, across], axis=2)
+        normal = jacobian.transpose(0, 2, 1) @ jacobian
+        step = np.linalg.solve(normal, jacobian.transpose(0, 2, 1) @ gap[:, :, None])[:, :, 0]
+        s, w = s - step[:, 0], w - step[:, 1:]
+    return np.linalg.norm(outer(s, w) - points, axis=1)
+
+
+def recompute():
+    print("\nA member of five segments and its 20 plates, after an edit of a cut (limit 60 ms)")
+    document = FreeCAD.newDocument("benchmark")
+    surface = make.make_surface(document, "S", "ellipsoid", a=40000, b=30000, c=20000)
+    axis = make.make_axis(document, "A1", surface, irregular(diagonal, 9).tolist())
+    sections = [make.make_section(document, f"B{k}", "box1", h=800 - 40 * (k % 2),
+                                  b=800 - 40 * (k % 2), t=20) for k in range(5)]
+    built = make.make_member(document, "M1", axis, sections,
+                             [{}, *({"cut": 5000.0 * k} for k in range(1, 5))])
+    plates = make.make_plates(document, built, {
+        face: [0.2 + shift, 0.4 + shift, 0.6 + shift, 0.8 + shift, 1.0]
+        for face, shift in zip(("top", "bottom", "left", "right"), (0.0, 0.02, 0.04, 0.06))
+    })
+    document.recompute()
+    print(f"  {plates.PlateCount} plates, {plates.Status}")
+    walls, own = [], []
+    for k in range(12):
+        built.Cut2 = 5000.0 + k
+        start, cpu = time.perf_counter(), time.process_time()
+        document.recompute()
+        walls.append(1e3 * (time.perf_counter() - start))
+        own.append(1e3 * (time.process_time() - cpu))
+    print(f"  edit to result: {min(walls):.0f} ms wall, {min(own):.0f} ms CPU (median "
+          f"{np.median(own):.0f})")
+    value = plate_set.value(plates)
+    member_input = value.geometry
+    arrows = {
+        "plates and skins": lambda: (memo.forget_all(), detailing.plates_of(
+            member_input, detailing.PlatesInput({
+                face: Joints((0.2, 0.4, 0.6, 0.8, 1.0)) for face in ("top", "bottom")}))),
+        "outer skin": lambda: (memo.forget_all(), detailing.member_skins(member_input)),
+        "20 solids": lambda: brep.tube_solids(
+            [[(p.knots, p.poles) for p in item.skin] for item in value.plates]),
+    }
+    for name, run in arrows.items():
+        print(f"  {name:<20}{best(run)[0]:7.1f} ms")
+    milliseconds, solids = best(arrows["20 solids"])
+    print(f"  {milliseconds / len(solids):.2f} ms per plate solid (limit 1)")
+    FreeCAD.closeDocument("benchmark")
+
+
+def random_members(count):
+    print(f"\n{count} random members: boxes, I, channels, trapezoids; linear and smooth")
+    worst, mispaired, refused, plates_built, invalid, lofts, lofts_wrong = 0.0, 0, 0, 0, 0, 0, 0
+    worst_step = 0.0
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "plates.step")
+        for seed in range(count):
+            built = random_member(seed)
+            for tube in detailing._corner_tubes(built):
+                for piece in tube:
+                    s = np.linspace(piece.knots[0], piece.knots[-1], 17)[1:-1]
+                    exact = built.corners(0.0, built.length)(s).reshape(len(s), -1, 3)
+                    mispaired += np.linalg.norm(piece.at(s) - exact, axis=2).max() > 1.0
+            plates, _ = split_plates(built, {})
+            skins = detailing._plate_skins(plates)
+            solids = brep.tube_solids([[(p.knots, p.poles) for p in one] for one in skins])
+            for plate, volume, solid in zip(plates, skin_volumes(skins), solids, strict=True):
+                plates_built += 1
+                miss = abs(volume / plate.volume - 1)
+                worst = max(worst, miss)
+                refused += miss > 1e-6 or not solid.isValid() or not solid.isClosed()
+            if seed % 10 == 0:
+                Part.Compound(solids).exportStep(path)
+                back = Part.Shape()
+                back.read(path)
+                invalid += len(back.Solids) != len(solids) or not all(
+                    solid.isValid() for solid in back.Solids)
+                worst_step = max(worst_step, abs(
+                    back.Volume / Part.Compound(solids).Volume - 1))
+            draw = np.random.default_rng(seed)
+            stations = np.linspace(plates[0].start, plates[0].end, int(draw.integers(5, 26)))
+            rails = [group(stations).reshape(-1, 2, 3)
+                     for group in (plates[0].rails.outer, plates[0].rails.inner)]
+            rings = np.concatenate([rails[0], rails[1][:, ::-1]], axis=1)
+            corner_rings = built.corners(0.0, built.length)(stations).reshape(len(stations), -1, 3)
+            for ring in (rings, corner_rings) if corner_rings.shape[1] == 4 else (rings,):
+                lofts += 1
+                loft = lofted(ring, False)
+                exact = sum(_prism(ring[k], ring[k + 1]) for k in range(len(ring) - 1))
+                lofts_wrong += abs(loft.Volume / exact - 1) > 0.05
+    print(f"  ours: {mispaired} mis-paired corners; {plates_built} plates, {refused} refused, "
+          f"volume to {worst:.1e}; after STEP {invalid} invalid, volume to {worst_step:.1e}")
+    print(f"  makeLoft smooth of the same corners: {lofts_wrong} of {lofts} wrong by more than 5 %")
+
+
+def _prism(one, other):
+    """Volume between two rings (m, 3), near enough to tell a wrong pairing."""
+    middle = 0.5 * (one + other)
+    area = 0.5 * np.cross(middle, np.roll(middle, -1, axis=0)).sum(axis=0)
+    return abs(area @ (other.mean(axis=0) - one.mean(axis=0)))
+
+
+def main():
+    count = int(sys.argv[1]) if len(sys.argv) > 1 else 300
+    print(f"FreeCAD {'.'.join(FreeCAD.Version()[:3])}, OCCT {Part.OCC_VERSION}")
+    corners()
+    transitions()
+    thickness()
+    recompute()
+    random_members(count)
+
+
+if __name__ == "__main__":
+    main()

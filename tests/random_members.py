@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Random members for tests and benchmarks: curves, sections, transitions and alignments by seed."""
+
+from functools import lru_cache
+
+import numpy as np
+from curved_members import ELLIPSOID, diagonal, irregular, oblique, on_torus
+
+from BendTorsionWB.core.axis import fit_axis
+from BendTorsionWB.core.frames import surface_frames
+from BendTorsionWB.core.member import Member
+from BendTorsionWB.core.section import box
+from BendTorsionWB.core.section_types import channel, i_section, trapezoid
+from BendTorsionWB.core.surface import analytic_surface
+from BendTorsionWB.core.zones import ALIGNMENTS, TRANSITIONS, Segment, section_law
+
+TORUS = analytic_surface("torus", {"R": 30000.0, "r": 8000.0})
+CURVES = ((diagonal, ELLIPSOID), (oblique, ELLIPSOID), (on_torus, TORUS))
+
+
+@lru_cache
+def frames(curve, points):
+    """Frames along one of CURVES through a number of points."""
+    made, surface = CURVES[curve]
+    return surface_frames(fit_axis("A1", irregular(made, points), surface), surface)
+
+
+def random_member(seed):
+    """A member of one to three segments."""
+    draw = np.random.default_rng(seed)
+    own = frames(int(draw.integers(len(CURVES))), int(draw.integers(7, 14)))
+    kind = ["box1", "box2", "i", "channel", "trapezoid"][draw.integers(5)]
+    count = int(draw.integers(1, 4))
+    length = own.axis.length
+    cuts = length * (np.arange(count) + draw.uniform(0, 0.4, count)) / count
+    segments = []
+    for k in range(count):
+        h, b = draw.uniform(300, 900, 2).round()
+        t = float(draw.integers(8, 33))
+        segments.append(Segment(
+            _section(kind, h, b, t),
+            float(cuts[k]) if k else 0.0,
+            float(draw.choice([1.5, 2.5, 4.0])),
+            str(draw.choice(ALIGNMENTS)),
+            str(draw.choice(["axis", "previous"])) if k else "axis",
+            transition=str(draw.choice(TRANSITIONS)),
+        ))
+    return Member(f"R{seed}", own, section_law(f"R{seed}", segments, length))
+
+
+def _section(kind, h, b, t):
+    if kind in ("box1", "box2"):
+        return box("S", kind, h, b, t, gap1=2.0)
+    if kind == "trapezoid":
+        return trapezoid("S", h, b, 0.7 * b, t)
+    return (i_section if kind == "i" else channel)("S", h, b, t)
