@@ -38,8 +38,11 @@ def main(arguments: list[str] | None = None) -> int:
         _end_progress()
         if options.debug:
             traceback.print_exc()
-        print(f"error: unexpected {type(problem).__name__}: {problem} -> run again with --debug "
-              "and report what it prints", file=sys.stderr)
+        print(
+            f"error: unexpected {type(problem).__name__}: {problem} -> run again with --debug "
+            "and report what it prints",
+            file=sys.stderr,
+        )
         return FAILED
     except KeyboardInterrupt:
         _end_progress()
@@ -115,8 +118,10 @@ def _check(options) -> int:
         print(finding.line())
     failed = any(finding.severity == "error" for finding in findings)
     plates = sum(len(item.record.plates) for item in detailed.values())
-    print(f"{schedule.file}: {len(detailed)} members, {plates} plates, "
-          + ("in error" if failed else "good"))
+    print(
+        f"{schedule.file}: {len(detailed)} members, {plates} plates, "
+        + ("in error" if failed else "good")
+    )
     return FAILED if failed else GOOD
 
 

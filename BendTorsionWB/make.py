@@ -150,7 +150,7 @@ def make_section(document, name: str = "Section", type: str = "box1", **sizes):
     if "corner_joint" in sizes:
         obj.CornerJoint = sizes.pop("corner_joint")
     for size, value in sizes.items():
-        setattr(obj, size, value)
+        setattr(obj, section_object.PROPERTY_OF_SIZE.get(size, size), value)
     return obj
 
 
@@ -183,9 +183,14 @@ def make_member(
     obj.OffsetY, obj.OffsetZ, obj.Roll = offset_y, offset_z, roll
     obj.TransitionLength, obj.Rank = transition_length, rank
     names = {
-        "cut": "Cut", "cut_ratio": "CutRatio", "slope": "Slope",
-        "transition": "Transition", "align": "Align",
-        "align_to": "AlignTo", "offset_y": "OffsetY", "offset_z": "OffsetZ",
+        "cut": "Cut",
+        "cut_ratio": "CutRatio",
+        "slope": "Slope",
+        "transition": "Transition",
+        "align": "Align",
+        "align_to": "AlignTo",
+        "offset_y": "OffsetY",
+        "offset_z": "OffsetZ",
     }
     for k, section in enumerate(sections, start=1):
         setattr(obj, f"Section{k}", section)

@@ -27,7 +27,11 @@ from BendTorsionWB.exchange.timeless import timeless_document, timeless_step
 from BendTorsionWB.exchange.whole_file import whole_file, write_whole
 
 MODEL, STEP, RESULTS, REPORT, TIMING = (
-    "model.FCStd", "model.step", "results.xlsx", "report.json", "timing.json",
+    "model.FCStd",
+    "model.step",
+    "results.xlsx",
+    "report.json",
+    "timing.json",
 )
 
 Progress = Callable[[str, int, int], None]
@@ -79,8 +83,13 @@ def read_jobs(
     unknown = [name for name in only if name not in names]
     if unknown:
         raise BendTorsionError(
-            error("member-unknown", schedule.file, f"no member {name!r} in the schedule",
-                  "use names of the Members sheet", value=name)
+            error(
+                "member-unknown",
+                schedule.file,
+                f"no member {name!r} in the schedule",
+                "use names of the Members sheet",
+                value=name,
+            )
             for name in unknown
         )
     rows = [row for row in schedule.members if not only or row.name in only]
@@ -197,12 +206,15 @@ def _made_files(
     run = executor.map if executor else map
     plates = [plate for record in records for plate in record.plates]
     pages = [(record, schedule.settings.project) for record in records]
-    sheets = zip((report.sheet_name(r.member) for r in records), run(_sheets_pdf, pages),
-                 strict=True)
-    cut_files = zip((report.dxf_name(p.mark) for p in plates), run(dxf.plate_dxf, plates),
-                    strict=True)
-    nc1_files = zip((report.nc1_name(p.mark) for p in plates), run(nc1.plate_nc1, plates),
-                    strict=True)
+    sheets = zip(
+        (report.sheet_name(r.member) for r in records), run(_sheets_pdf, pages), strict=True
+    )
+    cut_files = zip(
+        (report.dxf_name(p.mark) for p in plates), run(dxf.plate_dxf, plates), strict=True
+    )
+    nc1_files = zip(
+        (report.nc1_name(p.mark) for p in plates), run(nc1.plate_nc1, plates), strict=True
+    )
     return itertools.chain(sheets, cut_files, nc1_files)
 
 
@@ -228,9 +240,7 @@ def _write(
         save(document, out / MODEL)
         progress("model", 2, 2)
     with timing.stage("results"):
-        results_workbook.write_results(
-            records, findings, out / RESULTS, schedule.settings.project
-        )
+        results_workbook.write_results(records, findings, out / RESULTS, schedule.settings.project)
         report.write_report(records, findings, __version__, out / REPORT)
 
 
@@ -286,9 +296,7 @@ def write_step(document, members: Sequence[str], path: Path) -> None:
         )
     with whole_file(path) as part:
         Import.export(sets, str(part))
-        part.write_bytes(
-            timeless_step(part.read_bytes(), path.name, f"BendTorsion {__version__}")
-        )
+        part.write_bytes(timeless_step(part.read_bytes(), path.name, f"BendTorsion {__version__}"))
 
 
 def save(document, path: Path) -> None:
@@ -300,5 +308,3 @@ def save(document, path: Path) -> None:
 
 def _json(content: dict) -> bytes:
     return (json.dumps(content, indent=1) + "\n").encode()
-
-

@@ -90,11 +90,16 @@ def equation_2(points, closed):
 
 
 def accuracy(sets):
-    print(f"{'curve':8} {'ours, mm to surface':>27} {'points':>7} {'ms':>5} "
-          f"{'scipy':>14} {'OCC':>14} {'Eq. 2':>14} | to true curve, median")
-    print(f"{'':8} {'worst rms':>9} {'med. rms':>8} {'worst':>8} {'':>7} {'':>5} "
-          + f"{'worst':>7} {'median':>6} " * 3 + f"| {'ours':>6} {'scipy':>6} {'Eq. 2':>6} "
-          f"{'told':>6}")
+    print(
+        f"{'curve':8} {'ours, mm to surface':>27} {'points':>7} {'ms':>5} "
+        f"{'scipy':>14} {'OCC':>14} {'Eq. 2':>14} | to true curve, median"
+    )
+    print(
+        f"{'':8} {'worst rms':>9} {'med. rms':>8} {'worst':>8} {'':>7} {'':>5} "
+        + f"{'worst':>7} {'median':>6} " * 3
+        + f"| {'ours':>6} {'scipy':>6} {'Eq. 2':>6} "
+        f"{'told':>6}"
+    )
     good = True
     for name, exact in curves().items():
         rng = np.random.default_rng(20)
@@ -116,16 +121,18 @@ def accuracy(sets):
             peers.append([to_surface(exact.surface, other)[0] for other in others])
             told = fit_uncertainty(name, points, exact.surface, closed=exact.closed)
             mine = axis.curve.evaluate(np.linspace(*axis.curve.domain, SAMPLES))[0]
-            inside.append((truth.rms(mine), truth.rms(others[0]), truth.rms(others[2]),
-                           told.max()))
+            inside.append((truth.rms(mine), truth.rms(others[0]), truth.rms(others[2]), told.max()))
         ours, peers = np.array(ours), np.array(peers)
         good &= ours[:, 0].max() <= RMS_LIMIT
-        pairs = " ".join(f"{peers[:, k].max():7.3g} {np.median(peers[:, k]):6.2g}"
-                         for k in range(3))
+        pairs = " ".join(
+            f"{peers[:, k].max():7.3g} {np.median(peers[:, k]):6.2g}" for k in range(3)
+        )
         last = " ".join(f"{value:6.3g}" for value in np.median(inside, axis=0))
-        print(f"{name:8} {ours[:, 0].max():9.5f} {np.median(ours[:, 0]):8.5f} "
-              f"{ours[:, 1].max():8.5f} {np.median(ours[:, 2]):7.0f} {np.median(ours[:, 3]):5.0f} "
-              f"{pairs} | {last}" + (f"  {refused} refused" if refused else ""))
+        print(
+            f"{name:8} {ours[:, 0].max():9.5f} {np.median(ours[:, 0]):8.5f} "
+            f"{ours[:, 1].max():8.5f} {np.median(ours[:, 2]):7.0f} {np.median(ours[:, 3]):5.0f} "
+            f"{pairs} | {last}" + (f"  {refused} refused" if refused else "")
+        )
     return good
 
 
@@ -150,8 +157,10 @@ def orders(sets):
         found = chain_points("A", rng.permutation(points), exact.closed)
         bare += same_order(found.points, points, exact.closed)
         warned += not same_order(found.points, points, exact.closed) and bool(found.findings)
-    print(f"\n{restored} of {sets} shuffled, turned sets of segments restored; "
-          f"{bare} of {sets} sets of bare points (gaps to 1 : 3), {warned} of the others warned of")
+    print(
+        f"\n{restored} of {sets} shuffled, turned sets of segments restored; "
+        f"{bare} of {sets} sets of bare points (gaps to 1 : 3), {warned} of the others warned of"
+    )
     return restored == sets
 
 
@@ -191,8 +200,10 @@ def by_rule():
         exact = table[name]
         ends = exact.derivatives(np.array([0.0, 1.0]))[0]
         normal = np.cross(ends[1] - ends[0], exact.surface.closest(ends[:1]).normals[0])
-        for rule in (PlaneSection(tuple(ends[0]), tuple(normal), *map(tuple, ends)),
-                     Geodesic(*map(tuple, ends))):
+        for rule in (
+            PlaneSection(tuple(ends[0]), tuple(normal), *map(tuple, ends)),
+            Geodesic(*map(tuple, ends)),
+        ):
             begin = time.perf_counter()
             curve, _, _ = curve_by_rule(name, rule, exact.surface)
             took = 1e3 * (time.perf_counter() - begin)
@@ -207,8 +218,10 @@ def by_rule():
                 across = np.cross(foot.normals, axis.tangent(s))
                 second = 1e3 * float(np.abs((axis.curvature(s) * across).sum(axis=1)).max())
             good &= away < 5e-6
-            print(f"{name:8} {type(rule).__name__:12} {away:9.2g} {second:9.2g} "
-                  f"{len(curve.poles):5d} poles {took:6.0f}")
+            print(
+                f"{name:8} {type(rule).__name__:12} {away:9.2g} {second:9.2g} "
+                f"{len(curve.poles):5d} poles {took:6.0f}"
+            )
     return good
 
 

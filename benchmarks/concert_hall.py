@@ -105,8 +105,12 @@ def axes(table, detailed):
         given = np.asarray(axis.given)
         plain.append(rms(distance_to_ellipsoid(spline(given))))
         literal.append(rms(distance_to_ellipsoid(spline(on_chords(given)))))
-    table.row("axis to surface, worst RMS, mm", max(ours), 0.003,
-              f"chord-length spline {max(plain):.3g}, Eq. 2 on chords {max(literal):.3g}")
+    table.row(
+        "axis to surface, worst RMS, mm",
+        max(ours),
+        0.003,
+        f"chord-length spline {max(plain):.3g}, Eq. 2 on chords {max(literal):.3g}",
+    )
 
 
 def torsion(table, detailed):
@@ -123,8 +127,12 @@ def torsion(table, detailed):
                 down = corners[:, 0] - corners[:, 3]
                 down /= np.linalg.norm(down, axis=1, keepdims=True)
                 worst = max(worst, float(np.arcsin(np.abs((down * y).sum(axis=1))).max()))
-    table.row("torsion angle, largest error, degrees", np.degrees(worst), 0.001,
-              "literal method 0.15 to 0.5 (published)")
+    table.row(
+        "torsion angle, largest error, degrees",
+        np.degrees(worst),
+        0.001,
+        "literal method 0.15 to 0.5 (published)",
+    )
 
 
 def roll_of(item):
@@ -156,8 +164,12 @@ def folds(table, detailed):
                     miss = piece.at(s) - true_corners(member, roll, cell, s)
                     worst = max(worst, float(np.linalg.norm(miss, axis=2).max()))
     kernel = loft_overshoot(next(iter(detailed.values())))
-    table.row("corners at taper folds against truth, mm", worst, 1e-3,
-              f"smooth Part.makeLoft {kernel:.3g}")
+    table.row(
+        "corners at taper folds against truth, mm",
+        worst,
+        1e-3,
+        f"smooth Part.makeLoft {kernel:.3g}",
+    )
 
 
 def loft_overshoot(item):
@@ -165,8 +177,11 @@ def loft_overshoot(item):
     member, roll = item.geometry.member, roll_of(item)
     cells = member.law.cells
     edges = sorted({0.0, member.length, *member.law.folds})
-    s = np.unique(np.concatenate(
-        [np.linspace(a, b, max(2, int((b - a) / 500) + 1)) for a, b in zip(edges, edges[1:])]))
+    s = np.unique(
+        np.concatenate(
+            [np.linspace(a, b, max(2, int((b - a) / 500) + 1)) for a, b in zip(edges, edges[1:])]
+        )
+    )
     s = s.clip(1.0, member.length - 1.0)
 
     def corners(at):
@@ -176,11 +191,11 @@ def loft_overshoot(item):
             out[here] = true_corners(member, roll, cell, at[here])
         return out
 
-    wires = [Part.makePolygon([FreeCAD.Vector(*p) for p in (*ring, ring[0])])
-             for ring in corners(s)]
+    wires = [
+        Part.makePolygon([FreeCAD.Vector(*p) for p in (*ring, ring[0])]) for ring in corners(s)
+    ]
     loft = Part.makeLoft(wires, True, False)
-    between = np.concatenate([
-        np.linspace(fold - 250, fold + 250, 21) for fold in member.law.folds])
+    between = np.concatenate([np.linspace(fold - 250, fold + 250, 21) for fold in member.law.folds])
     points = corners(between)[:, 0]
     edges = Part.makeCompound(loft.Edges)
     return max(edges.distToShape(Part.Vertex(*p))[0] for p in points)
@@ -196,17 +211,25 @@ def lengths(table, detailed):
                 constant = max(constant, plate.length_error_max)
             if plate.length_error_max > 1e-6:
                 factor = max(factor, plate.length_error_max / plate.length_error_bound)
-    table.row("flat length error, constant zones, mm", constant, 0.012,
-              f"FreeCAD's flatmesh {flatmesh_error(detailed)}, same plate "
-              f"{worst_plate(detailed)[1].length_error_max:.3g}")
+    table.row(
+        "flat length error, constant zones, mm",
+        constant,
+        0.012,
+        f"FreeCAD's flatmesh {flatmesh_error(detailed)}, same plate "
+        f"{worst_plate(detailed)[1].length_error_max:.3g}",
+    )
     table.row("flat length error, transitions, mm", folded, 0.02)
     table.row("flat length error over its lower bound", factor, 2.5)
 
 
 def worst_plate(detailed):
     """The plate without folds whose length error is largest: itself and its record."""
-    pairs = [(item.plates.plates[k].plate, record) for item in detailed.values()
-             for k, record in enumerate(item.record.plates) if not record.in_transition]
+    pairs = [
+        (item.plates.plates[k].plate, record)
+        for item in detailed.values()
+        for k, record in enumerate(item.record.plates)
+        if not record.in_transition
+    ]
     return max(pairs, key=lambda pair: pair[1].length_error_max)
 
 
@@ -215,14 +238,14 @@ def flatmesh_error(detailed):
     plate, record = worst_plate(detailed)
     places = np.array([line.s_mid for line in plate.lines])
     arcs = {(p.panel, p.what): p.arc for p in record.panels}
-    s = np.unique(np.concatenate(
-        [np.linspace(a, b, 9) for a, b in zip(places[:-1], places[1:])]))
+    s = np.unique(np.concatenate([np.linspace(a, b, 9) for a, b in zip(places[:-1], places[1:])]))
     w = np.linspace(0, 1, 15)
     rails = plate.rails.mid(s).reshape(-1, 1, 2, 3)
     points = rails[:, :, 0] + w[None, :, None] * (rails[:, :, 1] - rails[:, :, 0])
     index = np.arange(len(s) * len(w)).reshape(len(s), len(w))
-    a, b, c, d = (part.ravel() for part in
-                  (index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:]))
+    a, b, c, d = (
+        part.ravel() for part in (index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:])
+    )
     triangles = np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
     context = multiprocessing.get_context("fork")
     queue = context.Queue()
@@ -277,9 +300,15 @@ def diagonals(table, schedule, detailed, every=9):
             section = law.sections[int(cell.label.removeprefix("d-")) - 1]
             row = schedule.section(section.name)
             rails = box_mid_rails(
-                member.frames.axis.position, normals, cell.corners, plate.face, section.type,
+                member.frames.axis.position,
+                normals,
+                cell.corners,
+                plate.face,
+                section.type,
                 {strip.face: t for strip, t in zip(law.strips, cell.thickness)},
-                (row.gap1, row.gap2), roll_of(item))
+                (row.gap1, row.gap2),
+                roll_of(item),
+            )
             arcs = {(p.panel, p.what): p.arc for p in record.panels}
             panels = list(zip(record.lines, record.lines[1:]))[1:-1]
             for one, two in panels[::every]:
@@ -288,8 +317,12 @@ def diagonals(table, schedule, detailed, every=9):
                     arc = arcs[f"{one.label}/{two.label}", f"diagonal {k}"]
                     worst, count = max(worst, abs(arc - true)), count + 1
                     longest = max(longest, true)
-    table.row(f"{count} diagonals against a geodesic, mm", worst, 1e-5,
-              f"of lengths up to {longest:.0f} mm")
+    table.row(
+        f"{count} diagonals against a geodesic, mm",
+        worst,
+        1e-5,
+        f"of lengths up to {longest:.0f} mm",
+    )
 
 
 def cut_files(table, out, detailed, every=2):
@@ -301,8 +334,9 @@ def cut_files(table, out, detailed, every=2):
             faults += len(audit.errors) + len(audit.fixes)
             [outer] = drawing.modelspace().query('LWPOLYLINE[layer=="CUT_OUTER"]')
             faults += not outer.closed
-            cut = np.array([p[:2] for p in
-                            (tuple(v) for v in ezdxf.path.make_path(outer).flattening(0.002))])
+            cut = np.array(
+                [p[:2] for p in (tuple(v) for v in ezdxf.path.make_path(outer).flattening(0.002))]
+            )
             given = np.concatenate([run[:-1] for run in record.outline])
             given = np.concatenate([given, given[:1]])
             worst = max(worst, apart(given, cut), apart(cut, given))
@@ -336,10 +370,15 @@ def speed(table, detailed):
     def solids():
         return brep.tube_solids([[(p.knots, p.poles) for p in g.skin] for g in plates])
 
-    table.row("ms per flat pattern", 1e3 * best(patterns) / len(plates), 1.5,
-              "FreeCAD's flatmesh, 2000 triangles: 70")
-    table.row("ms per plate solid", 1e3 * best(solids) / len(plates), 1.0,
-              "Part.makeLoft: 11 to 44")
+    table.row(
+        "ms per flat pattern",
+        1e3 * best(patterns) / len(plates),
+        1.5,
+        "FreeCAD's flatmesh, 2000 triangles: 70",
+    )
+    table.row(
+        "ms per plate solid", 1e3 * best(solids) / len(plates), 1.0, "Part.makeLoft: 11 to 44"
+    )
     bad = sum(not (s.isValid() and s.isClosed()) for s in solids())
     table.row(f"solids of {len(plates)} not valid and closed", bad, 0)
 
@@ -359,7 +398,10 @@ def main():
         start = time.perf_counter()
         build = subprocess.run(
             [sys.executable, "-m", "BendTorsionWB", "build", str(HALL), "--out", str(out)],
-            cwd=ROOT, capture_output=True, text=True)
+            cwd=ROOT,
+            capture_output=True,
+            text=True,
+        )
         spent = time.perf_counter() - start
         if build.returncode:
             print(build.stderr or build.stdout)
@@ -368,8 +410,12 @@ def main():
         content = json.loads((out / "report.json").read_text(encoding="utf-8"))
         plates = sum(len(member["plates"]) for member in content["members"])
         used = resource.getrusage(resource.RUSAGE_CHILDREN)
-        table.row(f"whole build, {len(content['members'])} members, {plates} plates, s", spent, 60,
-                  f"processor time {used.ru_utime + used.ru_stime:.0f} s")
+        table.row(
+            f"whole build, {len(content['members'])} members, {plates} plates, s",
+            spent,
+            60,
+            f"processor time {used.ru_utime + used.ru_stime:.0f} s",
+        )
         schedule, jobs = project.read_jobs(HALL)
         with project.pool(None, len(jobs)) as executor:
             detailed = project.compute(schedule, jobs, executor)

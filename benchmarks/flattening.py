@@ -112,8 +112,9 @@ def bound(rails, places):
     across = 0.5 * (across[1:] + across[:-1])
     diagonal = np.hypot(along, across)
     gauss = shape_of(rails, 0.5 * (places[1:] + places[:-1]), np.array([0.5])).gauss[:, 0]
-    return float((np.abs(gauss) * (along * across) ** 2
-                  / (12.0 * (diagonal + across + along))).max())
+    return float(
+        (np.abs(gauss) * (along * across) ** 2 / (12.0 * (diagonal + across + along))).max()
+    )
 
 
 def stations(development):
@@ -241,15 +242,19 @@ def least(build, repeats=7):
 def row(name, errors, floor, elastic, peers):
     ratio = errors["edges"] / floor if floor > ROUNDING else 0.0
     fine = errors["edges"] <= max(2.5 * floor, ROUNDING)
-    print(f"{name:<28}{errors['edges']:11.2e}{floor:11.2e}{ratio:7.2f}{'ok' if fine else 'OVER':>5}"
-          f"{errors['energy']:9.4f}{errors['elastic']:9.4f}{elastic:11.5f}"
-          + "".join(f"{text:>15}" for text in peers))
+    print(
+        f"{name:<28}{errors['edges']:11.2e}{floor:11.2e}{ratio:7.2f}{'ok' if fine else 'OVER':>5}"
+        f"{errors['energy']:9.4f}{errors['elastic']:9.4f}{elastic:11.5f}"
+        + "".join(f"{text:>15}" for text in peers)
+    )
     return fine and elastic <= 0.01
 
 
 def reference_set():
-    print(f"{'':<28}{'edges':>11}{'bound':>11}{'x':>7}{'':>5}{'energy':>9}{'elastic':>9}"
-          f"{'to optimum':>11}{'flatmesh':>15}{'libigl LSCM':>15}   mm")
+    print(
+        f"{'':<28}{'edges':>11}{'bound':>11}{'x':>7}{'':>5}{'energy':>9}{'elastic':>9}"
+        f"{'to optimum':>11}{'flatmesh':>15}{'libigl LSCM':>15}   mm"
+    )
     good = True
     for name, rails in patches():
         start = develop(rails, name, "energy")
@@ -305,8 +310,7 @@ def times(count):
     start = time.process_time()
     for plate in many:
         develop_plate(plate)
-    print(f"  {count} plates with all their data in `edges`: "
-          f"{time.process_time() - start:.2f} s")
+    print(f"  {count} plates with all their data in `edges`: {time.process_time() - start:.2f} s")
 
 
 def main():

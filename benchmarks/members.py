@@ -100,8 +100,7 @@ def corners():
     print(f"\nCorners, 800 x 800 box, {LENGTH / 1000:.0f} m of a diagonal, 25 even stations")
     axis = curves()["E-diag"].axis()
     segment = Segment(box("S", "box1", 800, 800, 20))
-    built = Member("M1", surface_frames(axis, ELLIPSOID),
-                   section_law("M1", [segment], axis.length))
+    built = Member("M1", surface_frames(axis, ELLIPSOID), section_law("M1", [segment], axis.length))
     stations = np.linspace(0.0, LENGTH, 25)
     at = truth(built, stations)
     dense = np.linspace(0.0, LENGTH, 24 * 8 + 1)[1:-1]
@@ -111,13 +110,18 @@ def corners():
         pieces = skin((built.corners(0.0, LENGTH),), tolerance=np.inf)
         return brep.tube_solid([(p.knots, p.poles) for p in pieces])
 
-    rows = (("ours", ours), ("makeLoft smooth", lambda: lofted(at, False)),
-            ("makeLoft ruled", lambda: lofted(at, True)), ("pipe, auxiliary spine",
-                                                           lambda: piped(built)))
+    rows = (
+        ("ours", ours),
+        ("makeLoft smooth", lambda: lofted(at, False)),
+        ("makeLoft ruled", lambda: lofted(at, True)),
+        ("pipe, auxiliary spine", lambda: piped(built)),
+    )
     for name, build in rows:
         milliseconds, solid = best(build, 3)
-        print(f"  {name:<24}{edge_error(solid, exact):10.1e} mm{milliseconds:9.1f} ms"
-              f"{len(solid.Faces):5d} faces  valid {solid.isValid()}")
+        print(
+            f"  {name:<24}{edge_error(solid, exact):10.1e} mm{milliseconds:9.1f} ms"
+            f"{len(solid.Faces):5d} faces  valid {solid.isValid()}"
+        )
     for tolerance in (1e-3, 1e-6, 1e-8):
         pieces = skin((built.corners(0.0, LENGTH),), tolerance=tolerance)
         miss = np.linalg.norm(pieces[0].at(dense) - exact, axis=2).max()
@@ -130,8 +134,14 @@ def transitions():
         for kind in ("linear", "smooth"):
             segments = [
                 Segment(box("A", "box1", 800, 800, 20)),
-                Segment(box("B", "box1", 600, 600, 20), 9000.0, slope, "top-left", "previous",
-                        transition=kind),
+                Segment(
+                    box("B", "box1", 600, 600, 20),
+                    9000.0,
+                    slope,
+                    "top-left",
+                    "previous",
+                    transition=kind,
+                ),
             ]
             built = member(segments)
             reach = slope * 200.0
@@ -140,8 +150,9 @@ def transitions():
             def plane(s, reach=reach, kind=kind):
                 x = np.clip((s - 9000.0) / reach, 0, 1)
                 x = x if kind == "linear" else 3 * x**2 - 2 * x**3
-                return RING + x[:, None, None] * (np.array(
-                    [(400, 400), (-200, 400), (-200, -200), (400, -200)]) - RING)
+                return RING + x[:, None, None] * (
+                    np.array([(400, 400), (-200, 400), (-200, -200), (400, -200)]) - RING
+                )
 
             exact = truth(built, s, plane)
             tube = detailing._corner_tubes(built)[0]
@@ -155,18 +166,22 @@ def transitions():
             own = np.union1d(own[clear], folds)
             loft = lofted(truth(built, own, plane), False)
             peer = edge_error(loft, exact[::20])
-            print(f"  p = {slope:g}, {kind:<7} ours {miss:.1e} mm, makeLoft smooth with stations "
-                  f"at the folds {peer:.1e} mm")
+            print(
+                f"  p = {slope:g}, {kind:<7} ours {miss:.1e} mm, makeLoft smooth with stations "
+                f"at the folds {peer:.1e} mm"
+            )
 
 
 def thickness():
     print("\nTrue plate thickness of the solids, 20 mm, folded members (limit 0.01 mm)")
     worst = 0.0
     for type in ("box1", "box2"):
-        built = member([
-            Segment(box("A", type, 800, 800, 20)),
-            Segment(box("B", type, 600, 600, 20), 9000.0, 2.5, "top-left", "previous"),
-        ])
+        built = member(
+            [
+                Segment(box("A", type, 800, 800, 20)),
+                Segment(box("B", type, 600, 600, 20), 9000.0, 2.5, "top-left", "previous"),
+            ]
+        )
         for plate in split_plates(built, {})[0]:
             for piece in detailing._plate_skin(plate):
                 s = np.repeat(np.linspace(piece.knots[0], piece.knots[-1], 60)[1:-1], 3)
@@ -179,13 +194,14 @@ def thickness():
 
 def distances(piece, points, s, w):
     """Distance (n,) of points from the outer face, by Gauss-Newton from (s, w)."""
+
     def outer(s, w):
         rails = piece.at(s)
         return rails[:, 0] + w * (rails[:, 1] - rails[:, 0])
 
     for _ in range(5):
         gap = outer(s, w) - points
-        along = (outer(s + 0.5, w) - outer(s - 0.5, w))
+        along = outer(s + 0.5, w) - outer(s - 0.5, w)
         across = (outer(s, w + 1e-3) - outer(s, w - 1e-3)) / 2e-3
         jacobian = np.stack([along, across], axis=2)
         normal = jacobian.transpose(0, 2, 1) @ jacobian
@@ -199,14 +215,23 @@ def recompute():
     document = FreeCAD.newDocument("benchmark")
     surface = make.make_surface(document, "S", "ellipsoid", a=40000, b=30000, c=20000)
     axis = make.make_axis(document, "A1", surface, irregular(diagonal, 9).tolist())
-    sections = [make.make_section(document, f"B{k}", "box1", h=800 - 40 * (k % 2),
-                                  b=800 - 40 * (k % 2), t=20) for k in range(5)]
-    built = make.make_member(document, "M1", axis, sections,
-                             [{}, *({"cut": 5000.0 * k} for k in range(1, 5))])
-    plates = make.make_plates(document, built, {
-        face: [0.2 + shift, 0.4 + shift, 0.6 + shift, 0.8 + shift, 1.0]
-        for face, shift in zip(("top", "bottom", "left", "right"), (0.0, 0.02, 0.04, 0.06))
-    })
+    sections = [
+        make.make_section(
+            document, f"B{k}", "box1", h=800 - 40 * (k % 2), b=800 - 40 * (k % 2), t=20
+        )
+        for k in range(5)
+    ]
+    built = make.make_member(
+        document, "M1", axis, sections, [{}, *({"cut": 5000.0 * k} for k in range(1, 5))]
+    )
+    plates = make.make_plates(
+        document,
+        built,
+        {
+            face: [0.2 + shift, 0.4 + shift, 0.6 + shift, 0.8 + shift, 1.0]
+            for face, shift in zip(("top", "bottom", "left", "right"), (0.0, 0.02, 0.04, 0.06))
+        },
+    )
     document.recompute()
     print(f"  {plates.PlateCount} plates, {plates.Status}")
     walls, own = [], []
@@ -216,17 +241,26 @@ def recompute():
         document.recompute()
         walls.append(1e3 * (time.perf_counter() - start))
         own.append(1e3 * (time.process_time() - cpu))
-    print(f"  edit to result: {min(walls):.0f} ms wall, {min(own):.0f} ms CPU (median "
-          f"{np.median(own):.0f})")
+    print(
+        f"  edit to result: {min(walls):.0f} ms wall, {min(own):.0f} ms CPU (median "
+        f"{np.median(own):.0f})"
+    )
     value = plate_set.value(plates)
     member_input = value.geometry
     arrows = {
-        "plates and skins": lambda: (memo.forget_all(), detailing.plates_of(
-            member_input, detailing.PlatesInput({
-                face: Joints((0.2, 0.4, 0.6, 0.8, 1.0)) for face in ("top", "bottom")}))),
+        "plates and skins": lambda: (
+            memo.forget_all(),
+            detailing.plates_of(
+                member_input,
+                detailing.PlatesInput(
+                    {face: Joints((0.2, 0.4, 0.6, 0.8, 1.0)) for face in ("top", "bottom")}
+                ),
+            ),
+        ),
         "outer skin": lambda: (memo.forget_all(), detailing.member_skins(member_input)),
         "20 solids": lambda: brep.tube_solids(
-            [[(p.knots, p.poles) for p in item.skin] for item in value.plates]),
+            [[(p.knots, p.poles) for p in item.skin] for item in value.plates]
+        ),
     }
     for name, run in arrows.items():
         print(f"  {name:<20}{best(run)[0]:7.1f} ms")
@@ -261,13 +295,15 @@ def random_members(count):
                 back = Part.Shape()
                 back.read(path)
                 invalid += len(back.Solids) != len(solids) or not all(
-                    solid.isValid() for solid in back.Solids)
-                worst_step = max(worst_step, abs(
-                    back.Volume / Part.Compound(solids).Volume - 1))
+                    solid.isValid() for solid in back.Solids
+                )
+                worst_step = max(worst_step, abs(back.Volume / Part.Compound(solids).Volume - 1))
             draw = np.random.default_rng(seed)
             stations = np.linspace(plates[0].start, plates[0].end, int(draw.integers(5, 26)))
-            rails = [group(stations).reshape(-1, 2, 3)
-                     for group in (plates[0].rails.outer, plates[0].rails.inner)]
+            rails = [
+                group(stations).reshape(-1, 2, 3)
+                for group in (plates[0].rails.outer, plates[0].rails.inner)
+            ]
             rings = np.concatenate([rails[0], rails[1][:, ::-1]], axis=1)
             corner_rings = built.corners(0.0, built.length)(stations).reshape(len(stations), -1, 3)
             for ring in (rings, corner_rings) if corner_rings.shape[1] == 4 else (rings,):
@@ -275,8 +311,10 @@ def random_members(count):
                 loft = lofted(ring, False)
                 exact = sum(_prism(ring[k], ring[k + 1]) for k in range(len(ring) - 1))
                 lofts_wrong += abs(loft.Volume / exact - 1) > 0.05
-    print(f"  ours: {mispaired} mis-paired corners; {plates_built} plates, {refused} refused, "
-          f"volume to {worst:.1e}; after STEP {invalid} invalid, volume to {worst_step:.1e}")
+    print(
+        f"  ours: {mispaired} mis-paired corners; {plates_built} plates, {refused} refused, "
+        f"volume to {worst:.1e}; after STEP {invalid} invalid, volume to {worst_step:.1e}"
+    )
     print(f"  makeLoft smooth of the same corners: {lofts_wrong} of {lofts} wrong by more than 5 %")
 
 

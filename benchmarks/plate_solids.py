@@ -72,8 +72,11 @@ def methods(n):
     points = corners(s)
     return (
         ("B-rep text", lambda: [brep.tube_solid([rails(points, s)])], 1),
-        (f"B-rep text, {BATCH} at once",
-         lambda: brep.tube_solids([[rails(points, s)] for _ in range(BATCH)]), BATCH),
+        (
+            f"B-rep text, {BATCH} at once",
+            lambda: brep.tube_solids([[rails(points, s)] for _ in range(BATCH)]),
+            BATCH,
+        ),
         ("Part.makeLoft smooth", lambda: [lofted(points, False)], 1),
         ("Part.makeLoft ruled", lambda: [lofted(points, True)], 1),
     )
@@ -87,8 +90,10 @@ def main():
         for name, build, count in methods(n):
             milliseconds, solids = timed(build, repeats if count == 1 else 5)
             solid = solids[-1]
-            print(f"{n:3d}  {name:<28}{milliseconds / count:9.2f}{solid.isValid()!s:>7}"
-                  f"{len(solid.Faces):7d}{solid.Volume / VOLUME - 1:14.1e}")
+            print(
+                f"{n:3d}  {name:<28}{milliseconds / count:9.2f}{solid.isValid()!s:>7}"
+                f"{len(solid.Faces):7d}{solid.Volume / VOLUME - 1:14.1e}"
+            )
 
 
 if __name__ == "__main__":

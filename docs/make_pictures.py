@@ -11,8 +11,12 @@ import FreeCAD
 import FreeCADGui
 
 ROOT = Path(__file__).resolve().parent.parent
-COLOURS = {"T": (0.85, 0.55, 0.25), "B": (0.55, 0.35, 0.2), "L": (0.35, 0.55, 0.75),
-           "R": (0.25, 0.4, 0.55)}
+COLOURS = {
+    "T": (0.85, 0.55, 0.25),
+    "B": (0.55, 0.35, 0.2),
+    "L": (0.35, 0.55, 0.75),
+    "R": (0.25, 0.4, 0.55),
+}
 
 
 def main() -> None:

@@ -6,6 +6,6 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from BendTorsionWB import freecad_path  # noqa: E402
+from BendTorsionWB import freecad_path
 
 freecad_path.append()

@@ -37,14 +37,16 @@ def random_member(seed):
     for k in range(count):
         h, b = draw.uniform(300, 900, 2).round()
         t = float(draw.integers(8, 33))
-        segments.append(Segment(
-            _section(kind, h, b, t),
-            float(cuts[k]) if k else 0.0,
-            float(draw.choice([1.5, 2.5, 4.0])),
-            str(draw.choice(ALIGNMENTS)),
-            str(draw.choice(["axis", "previous"])) if k else "axis",
-            transition=str(draw.choice(TRANSITIONS)),
-        ))
+        segments.append(
+            Segment(
+                _section(kind, h, b, t),
+                float(cuts[k]) if k else 0.0,
+                float(draw.choice([1.5, 2.5, 4.0])),
+                str(draw.choice(ALIGNMENTS)),
+                str(draw.choice(["axis", "previous"])) if k else "axis",
+                transition=str(draw.choice(TRANSITIONS)),
+            )
+        )
     return Member(f"R{seed}", own, section_law(f"R{seed}", segments, length))
 
 

@@ -12,8 +12,11 @@ from BendTorsionWB.core.surface import analytic_surface
 
 TORUS = analytic_surface("torus", {"R": 30000.0, "r": 8000.0})
 PLANE = analytic_surface("plane", {})
-CASES = {"diagonal": (diagonal, ELLIPSOID), "oblique": (oblique, ELLIPSOID),
-         "torus": (on_torus, TORUS)}
+CASES = {
+    "diagonal": (diagonal, ELLIPSOID),
+    "oblique": (oblique, ELLIPSOID),
+    "torus": (on_torus, TORUS),
+}
 
 
 @pytest.mark.parametrize("case", CASES)

@@ -20,8 +20,12 @@ HALL = Ellipsoid(40e3, 30e3, 20e3)
 EXACT = curves()["E-diag"]
 AXIS = fit_axis("A1", EXACT.points(12, 1, 2.0), HALL)
 HALF = np.sqrt(0.5)
-ARC = Curve(2, np.array([0, 0, 0, 1, 1, 1.0]),
-            np.array([[10e3, 0, 0], [10e3, 0, 10e3], [0, 0, 10e3]]), np.array([1, HALF, 1]))
+ARC = Curve(
+    2,
+    np.array([0, 0, 0, 1, 1, 1.0]),
+    np.array([[10e3, 0, 0], [10e3, 0, 10e3], [0, 0, 10e3]]),
+    np.array([1, HALF, 1]),
+)
 
 
 def refused(call, *arguments, **more):
@@ -101,8 +105,9 @@ def test_ends_that_cannot_be_are_refused():
     assert refused(with_ends, AXIS, short, short, HALL).code == "axis-too-short"
     far = AxisEnd(extension=3 * AXIS.length)
     assert refused(with_ends, AXIS, AxisEnd(), far, HALL).code == "axis-extension"
-    ring = axis_from(AxisInput("R", rule=PlaneSection((0, 0, 5e3), (0, 0, 1), (39e3, 0, 5e3),
-                                                      closed=True)), HALL)
+    ring = axis_from(
+        AxisInput("R", rule=PlaneSection((0, 0, 5e3), (0, 0, 1), (39e3, 0, 5e3), closed=True)), HALL
+    )
     assert refused(with_ends, ring, AxisEnd(), AxisEnd(dz=10), HALL).code == "axis-end-closed"
 
 

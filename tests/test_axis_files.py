@@ -30,8 +30,11 @@ def drawing(tmp_path_factory):
         return {"layer": layer}
 
     space.add_rational_spline(POLES, [1, 2, 1.5, 1], 3, dxfattribs=on("SPLINE"))
-    space.add_lwpolyline([(0, 0, 0), (10, 0, math.tan(math.pi / 8)), (20, 10, 0), (20, 18, 0)],
-                         format="xyb", dxfattribs=on("BULGE"))
+    space.add_lwpolyline(
+        [(0, 0, 0), (10, 0, math.tan(math.pi / 8)), (20, 10, 0), (20, 18, 0)],
+        format="xyb",
+        dxfattribs=on("BULGE"),
+    )
     space.add_line((9, 1, 0), (5, 0, 0), dxfattribs=on("LINES"))
     space.add_line((0, 0, 1), (5, 0, 0), dxfattribs=on("LINES"))
     space.add_line((13, 3, 0), (9, 1, 0), dxfattribs=on("LINES"))
@@ -63,8 +66,9 @@ def test_a_rational_spline_is_exact_in_millimetres(drawing):
 def test_bulges_are_arcs(drawing):
     found = axis(drawing, "BULGE")
     assert found.length == pytest.approx(1e3 * (10 + 10 * math.pi / 2 + 8), abs=1e-6)
-    near = found.position(found.place_of(np.array([[10e3 + 10e3 * math.sin(0.6),
-                                                    10e3 - 10e3 * math.cos(0.6), 0]])))
+    near = found.position(
+        found.place_of(np.array([[10e3 + 10e3 * math.sin(0.6), 10e3 - 10e3 * math.cos(0.6), 0]]))
+    )
     assert np.linalg.norm(near[0, :2] - [10e3, 10e3]) == pytest.approx(10e3, abs=1e-6)
 
 
@@ -110,11 +114,17 @@ def test_named_curves_of_step_files_come_back_exactly(tmp_path):
     vector = FreeCAD.Vector
     spline = Part.BSplineCurve()
     spline.interpolate([vector(0, 0, 0), vector(5000, 1000, 0), vector(9000, 4000, 3000)])
-    arc = Part.Arc(vector(5000, 0, 0), vector(5000 + 1e4 * 0.5**0.5, 1e4 * (1 - 0.5**0.5), 0),
-                   vector(15000, 10000, 0))
+    arc = Part.Arc(
+        vector(5000, 0, 0),
+        vector(5000 + 1e4 * 0.5**0.5, 1e4 * (1 - 0.5**0.5), 0),
+        vector(15000, 10000, 0),
+    )
     straight = Part.LineSegment(vector(0, 0, 0), vector(5000, 0, 0))
-    shapes = {"Rib 1": Part.Wire([straight.toShape(), arc.toShape()]), "Rib 2": spline.toShape(),
-              "Block": Part.makeBox(1, 2, 3)}
+    shapes = {
+        "Rib 1": Part.Wire([straight.toShape(), arc.toShape()]),
+        "Rib 2": spline.toShape(),
+        "Block": Part.makeBox(1, 2, 3),
+    }
     items = []
     for label, shape in shapes.items():
         item = document.addObject("Part::Feature", "Shape")

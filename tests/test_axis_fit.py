@@ -202,8 +202,9 @@ def test_a_ring_left_open_is_told():
 
 
 def test_a_kinked_wire_is_refused_with_its_place_and_a_polyline_is_points():
-    corner = Curve(1, np.array([0, 0, 1, 2, 2.0]),
-                   np.array([[0, 0, 0], [5e3, 0, 0], [5e3, 5e3, 0.0]]))
+    corner = Curve(
+        1, np.array([0, 0, 1, 2, 2.0]), np.array([[0, 0, 0], [5e3, 0, 0], [5e3, 5e3, 0.0]])
+    )
     with pytest.raises(BendTorsionError) as caught:
         axis_from_curve("A", corner)
     [finding] = caught.value.findings
@@ -220,9 +221,12 @@ def test_an_exact_ring_is_found_to_be_closed():
     square = np.array(
         [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1], [1, 0]]
     )
-    ring = Curve(2, np.array([0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4.0]),
-                 np.column_stack([9e3 * square, np.zeros(9)]),
-                 np.array([1, half, 1, half, 1, half, 1, half, 1]))
+    ring = Curve(
+        2,
+        np.array([0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4.0]),
+        np.column_stack([9e3 * square, np.zeros(9)]),
+        np.array([1, half, 1, half, 1, half, 1, half, 1]),
+    )
     axis = axis_from_curve("A", ring)
     assert axis.closed and axis.length == pytest.approx(18e3 * np.pi, abs=1e-7)
     assert np.abs(np.diff(axis.position(np.array([0.0, axis.length])), axis=0)).max() < 1e-10
@@ -234,8 +238,13 @@ def test_reversed_turns_the_axis_and_keeps_the_points_numbers():
     s = np.linspace(0, plain.length, 40)
     assert np.abs(plain.position(s) - back.position(plain.length - s)).max() < 1e-8
     assert np.array_equal(back.given, POINTS)
-    assert np.abs(back.curve.evaluate(np.array(back.curve.domain))[0]
-                  - back.position(np.array([0.0, back.length]))).max() < 1e-8
+    assert (
+        np.abs(
+            back.curve.evaluate(np.array(back.curve.domain))[0]
+            - back.position(np.array([0.0, back.length]))
+        ).max()
+        < 1e-8
+    )
 
 
 def test_direction_by_rule_goes_from_the_low_end_to_the_high():

@@ -35,8 +35,10 @@ def test_shuffled_and_turned_segments_are_restored():
         points = exact.points(int(rng.integers(7, 20)), seed, 50.0)
         chain = chain_segments("A", tuple(cut(points, rng)))
         assert not chain.closed and not chain.findings
-        assert np.abs(chain.points - points).max() == 0 or np.abs(
-            chain.points[::-1] - points).max() == 0
+        assert (
+            np.abs(chain.points - points).max() == 0
+            or np.abs(chain.points[::-1] - points).max() == 0
+        )
 
 
 def test_segments_of_a_ring_close():
@@ -47,8 +49,10 @@ def test_segments_of_a_ring_close():
     steps = np.linalg.norm(np.diff(np.vstack([chain.points, chain.points[:1]]), axis=0), axis=1)
     around = np.linalg.norm(np.diff(np.vstack([points, points[:1]]), axis=0), axis=1)
     assert np.sort(steps) == pytest.approx(np.sort(around))
-    axis = axis_from(AxisInput("A", segments=tuple(cut(np.vstack([points, points[:1]]), rng))),
-                     CURVES["E-ring"].surface)
+    axis = axis_from(
+        AxisInput("A", segments=tuple(cut(np.vstack([points, points[:1]]), rng))),
+        CURVES["E-ring"].surface,
+    )
     assert axis.closed
 
 
@@ -84,7 +88,9 @@ def test_a_segment_given_twice_and_one_without_length_are_left_out():
     chain = chain_segments("A", (points[:5], points[4:], points[4:][::-1], speck))
     assert np.array_equal(chain.points, points)
     assert [(f.code, f.position) for f in chain.findings] == [
-        ("axis-segment-twice", "segment 3"), ("axis-segment-short", "segment 4")]
+        ("axis-segment-twice", "segment 3"),
+        ("axis-segment-short", "segment 4"),
+    ]
 
 
 def test_bare_points_find_their_order_from_any_shuffle():
@@ -141,8 +147,12 @@ def test_points_given_twice_are_left_out():
 
 def test_exact_curves_are_joined_in_any_order():
     half = np.sqrt(0.5)
-    arc = Curve(2, np.array([0, 0, 0, 1, 1, 1.0]),
-                np.array([[5e3, 0, 0], [10e3, 0, 0], [10e3, 5e3, 0.0]]), np.array([1, half, 1]))
+    arc = Curve(
+        2,
+        np.array([0, 0, 0, 1, 1, 1.0]),
+        np.array([[5e3, 0, 0], [10e3, 0, 0], [10e3, 5e3, 0.0]]),
+        np.array([1, half, 1]),
+    )
     first = Curve(1, np.array([0, 0, 1, 1.0]), np.array([[5e3, 0, 0], [0, 0, 0.0]]))
     last = Curve(1, np.array([0, 0, 1, 1.0]), np.array([[10e3, 5e3, 0], [10e3, 9e3, 0.0]]))
     curve, _ = chain_curves("A", (arc, last, first))

@@ -57,6 +57,7 @@ def twisted(ring, length=3618.0, turn=np.pi / 4, stations=25):
 
 def bent(ring, radius=5000.0, angle=0.7, stations=25):
     """The ring swept round the z axis, its first coordinate outwards."""
+
     def points(a):
         r = radius + ring[:, 0]
         return np.column_stack([r * np.cos(a), r * np.sin(a), ring[:, 1]])
@@ -169,7 +170,8 @@ def test_faces_come_piece_by_piece_then_the_caps_and_corners_are_exact():
     rings = [pieces[0][1][:, 0], *[poles[:, -1] for _, poles in pieces]]
     expected = [
         {tuple(rings[k + a][(j + b) % 6]) for a in (0, 1) for b in (0, 1)}
-        for k in range(3) for j in range(6)
+        for k in range(3)
+        for j in range(6)
     ]
     expected += [set(map(tuple, rings[0])), set(map(tuple, rings[-1]))]
     assert [{tuple(vertex.Point) for vertex in face.Vertexes} for face in solid.Faces] == expected
@@ -183,8 +185,9 @@ def test_rails_and_ruled_faces_are_the_given_splines():
         surface = solid.Faces[j].Surface
         assert (surface.UDegree, surface.VDegree) == (3, 1)
         given = np.stack([poles[j], poles[(j + 1) % 4]], axis=1)
-        assert np.array_equal(np.array([[tuple(p) for p in row] for row in surface.getPoles()]),
-                              given)
+        assert np.array_equal(
+            np.array([[tuple(p) for p in row] for row in surface.getPoles()]), given
+        )
         assert np.array_equal(np.repeat(surface.getUKnots(), surface.getUMultiplicities()), knots)
 
 
@@ -290,8 +293,12 @@ def test_malformed_arrays_are_refused():
     kinked = knots.copy()
     kinked[5:7] = kinked[4]
     for bad in (
-        (knots[1:], poles), (knots, poles[:2]), (knots[::-1], poles), (kinked, poles),
-        (knots, poles * np.nan), (np.linspace(0, 1, len(knots)), poles),
+        (knots[1:], poles),
+        (knots, poles[:2]),
+        (knots[::-1], poles),
+        (kinked, poles),
+        (knots, poles * np.nan),
+        (np.linspace(0, 1, len(knots)), poles),
     ):
         with pytest.raises(ValueError, match="piece 1"):
             brep.tube_solid([bad])

@@ -23,16 +23,43 @@ from BendTorsionWB.__main__ import main
 
 ROOT = Path(__file__).resolve().parent.parent
 PLATE_KEYS = {
-    "mark", "part", "face", "piece", "thickness_mm", "area_mm2", "mass_kg", "length_mm",
-    "width_mm", "length_error_max_mm", "length_error_rms_mm", "length_error_bound_mm",
-    "strain_max", "forming", "dxf", "nc1",
+    "mark",
+    "part",
+    "face",
+    "piece",
+    "thickness_mm",
+    "area_mm2",
+    "mass_kg",
+    "length_mm",
+    "width_mm",
+    "length_error_max_mm",
+    "length_error_rms_mm",
+    "length_error_bound_mm",
+    "strain_max",
+    "forming",
+    "dxf",
+    "nc1",
 }
 MEMBER_KEYS = {
-    "member", "length_mm", "mass_kg", "axis_to_surface_rms_mm", "axis_to_surface_max_mm",
-    "torsion_error_max_deg", "total_torsion_deg", "plates",
+    "member",
+    "length_mm",
+    "mass_kg",
+    "axis_to_surface_rms_mm",
+    "axis_to_surface_max_mm",
+    "torsion_error_max_deg",
+    "total_torsion_deg",
+    "plates",
 }
 FINDING_KEYS = {
-    "severity", "code", "object", "position", "value", "limit", "unit", "message", "mend",
+    "severity",
+    "code",
+    "object",
+    "position",
+    "value",
+    "limit",
+    "unit",
+    "message",
+    "mend",
 }
 
 
@@ -45,15 +72,23 @@ def short(start, end, shift=0.0):
 def schedule(path, axes):
     """A schedule with one member per axis: M1 changes its section, the others do not."""
     sheets = {
-        "Surfaces": [["surface", "kind", "parameters"],
-                     ["Hall", "ellipsoid", "a=40000 b=30000 c=20000"]],
+        "Surfaces": [
+            ["surface", "kind", "parameters"],
+            ["Hall", "ellipsoid", "a=40000 b=30000 c=20000"],
+        ],
         "Axes": [["axis", "surface"]],
         "Points": [["axis", "no", "x", "y", "z"]],
-        "Sections": [["section", "type", "h", "b", "t"], ["B600", "box1", 600, 600, 16],
-                     ["B500", "box1", 500, 500, 12]],
+        "Sections": [
+            ["section", "type", "h", "b", "t"],
+            ["B600", "box1", 600, 600, 16],
+            ["B500", "box1", 500, 500, 12],
+        ],
         "Members": [["member", "segment", "axis", "section", "cut", "align"]],
-        "Splits": [["member", "face", "joints"], ["M1", "top", "0.3 0.6 1"],
-                   ["M1", "left", "1000"]],
+        "Splits": [
+            ["member", "face", "joints"],
+            ["M1", "top", "0.3 0.6 1"],
+            ["M1", "left", "1000"],
+        ],
     }
     for k, points in enumerate(axes, start=1):
         sheets["Axes"].append([f"A{k}", "Hall"])
@@ -86,7 +121,10 @@ def run(*arguments, hash_seed="1"):
     """The command line in a process of its own; hash_seed settles the order of sets."""
     return subprocess.run(
         [sys.executable, "-m", "BendTorsionWB", *map(str, arguments)],
-        cwd=ROOT, capture_output=True, text=True, timeout=300,
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        timeout=300,
         env={**os.environ, "PYTHONHASHSEED": hash_seed},
     )
 
@@ -99,8 +137,11 @@ def tell(capsys):
     def call(*arguments):
         code = main([str(a) for a in arguments])
         printed = capsys.readouterr()
-        return code, printed.out, [
-            line for line in printed.err.splitlines() if line.startswith("error")]
+        return (
+            code,
+            printed.out,
+            [line for line in printed.err.splitlines() if line.startswith("error")],
+        )
 
     yield call
     # Qt's application resets it, and other tests talk to their processes by it.
@@ -151,7 +192,8 @@ def test_the_report_has_the_keys_promised_and_names_the_files_that_are_there(bui
             assert set(plate) == PLATE_KEYS
             assert plate["length_error_max_mm"] <= 0.02
             assert plate["mass_kg"] == pytest.approx(
-                plate["area_mm2"] * plate["thickness_mm"] * 7.85e-6, rel=0.02)
+                plate["area_mm2"] * plate["thickness_mm"] * 7.85e-6, rel=0.02
+            )
             named |= {plate[key] for key in ("dxf", "nc1") if plate[key]}
     for finding in content["findings"]:
         assert set(finding) == FINDING_KEYS and finding["severity"] != "error"
@@ -171,7 +213,8 @@ def test_cut_files_hold_the_plates_of_the_report(built):
         assert outer.closed
         box = ezdxf.bbox.extents([outer])
         assert tuple(box.size)[:2] == pytest.approx(
-            (plate["length_mm"], plate["width_mm"]), abs=0.1)
+            (plate["length_mm"], plate["width_mm"]), abs=0.1
+        )
 
 
 @pytest.mark.slow
@@ -232,14 +275,14 @@ def test_a_rerun_replaces_its_own_files_only_and_removes_what_went(built, tmp_pa
     assert (here / "plates" / "mine.dxf").read_text() == "mine"
     assert (here / "notes.txt").read_text() == "mine"
     before = {p["mark"] for p in report(out)["members"][0]["plates"]}
-    after = {p["mark"] for m in report(here)["members"] for p in m["plates"]
-             if m["member"] == "M1"}
+    after = {p["mark"] for m in report(here)["members"] for p in m["plates"] if m["member"] == "M1"}
     assert after < before
     on_disk = {p.stem for p in (here / "plates").glob("M1-*.dxf")}
     assert on_disk == after
     # Files of members not built now stay.
     assert {p.name for p in (here / "plates").glob("M2-*.dxf")} == {
-        p.name for p in (out / "plates").glob("M2-*.dxf")}
+        p.name for p in (out / "plates").glob("M2-*.dxf")
+    }
 
 
 @pytest.mark.slow
@@ -258,7 +301,8 @@ def test_members_that_intersect_fail_and_the_others_are_whole(built, tmp_path):
     assert members["M2"]["plates"]
     assert not list(here.glob("*/M1*")) and not list(here.glob("*/M3*"))
     assert {p.stem for p in (here / "plates").iterdir()} == {
-        p["mark"] for p in members["M2"]["plates"]}
+        p["mark"] for p in members["M2"]["plates"]
+    }
     errors = [f for f in report(here)["findings"] if f["severity"] == "error"]
     assert {f["object"] for f in errors} == {"M1", "M3"}
     assert all("intersect" in f["message"] and f["position"] for f in errors)
@@ -291,8 +335,14 @@ BAD = {
     "joint beyond the axis": ({("Splits", 3, "joints"): "50000"}, ("Splits", "50000")),
     "transition past the end": ({("Members", 3, "cut"): "99.9%"}, ("Members", "cut")),
     "section larger than the bend": (
-        {("Sections", 2, "h"): 60000, ("Sections", 2, "b"): 60000,
-         ("Sections", 3, "h"): 60000, ("Sections", 3, "b"): 60000}, ("Members",)),
+        {
+            ("Sections", 2, "h"): 60000,
+            ("Sections", 2, "b"): 60000,
+            ("Sections", 3, "h"): 60000,
+            ("Sections", 3, "b"): 60000,
+        },
+        ("Members",),
+    ),
 }
 
 

@@ -49,9 +49,11 @@ def calls(monkeypatch):
     for name in ("fit_axis", "section_law", "split_plates", "develop_plate", "torsion_error"):
         real = getattr(detailing, name, None)
         if real is not None:
+
             def spy(*args, _name=name, _real=real, **more):
                 seen.append(_name)
                 return _real(*args, **more)
+
             monkeypatch.setattr(detailing, name, spy)
     return seen
 
@@ -96,7 +98,10 @@ def test_content_hashes_are_the_same_in_every_process():
     found = {
         subprocess.run(
             [sys.executable, "-c", program, str(ROOT), str(ROOT / "tests")],
-            capture_output=True, text=True, check=True, env={"PYTHONHASHSEED": seed},
+            capture_output=True,
+            text=True,
+            check=True,
+            env={"PYTHONHASHSEED": seed},
         ).stdout.strip()
         for seed in ("1", "2")
     }
@@ -106,8 +111,16 @@ def test_content_hashes_are_the_same_in_every_process():
 @pytest.mark.parametrize(
     "one, two",
     [
-        (1, 1.0), (1, True), ("1", 1), (None, "None"), ((), []), (np.zeros(2), np.zeros((2, 1))),
-        (0.0, -0.0), ((1, (2, 3)), (1, 2, 3)), ({"a": 1}, {"a": 2}), (("ab", "c"), ("a", "bc")),
+        (1, 1.0),
+        (1, True),
+        ("1", 1),
+        (None, "None"),
+        ((), []),
+        (np.zeros(2), np.zeros((2, 1))),
+        (0.0, -0.0),
+        ((1, (2, 3)), (1, 2, 3)),
+        ({"a": 1}, {"a": 2}),
+        (("ab", "c"), ("a", "bc")),
         (np.zeros(2), np.zeros(2, np.float32)),
     ],
 )

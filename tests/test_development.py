@@ -15,8 +15,9 @@ from BendTorsionWB.core.zones import Segment
 
 
 def ruled(first, second, length, spans=6):
-    return resolve(lambda s: np.column_stack([first(s), second(s)]),
-                   np.linspace(0, length, spans + 1), length)
+    return resolve(
+        lambda s: np.column_stack([first(s), second(s)]), np.linspace(0, length, spans + 1), length
+    )
 
 
 def cylinder(radius=12000.0, skew=0.08):
@@ -26,8 +27,8 @@ def cylinder(radius=12000.0, skew=0.08):
         def points(s):
             angle = s / radius
             height = offset + lean * s + 300 * np.sin(s / 2500)
-            return np.column_stack(
-                [radius * np.cos(angle), radius * np.sin(angle), height])
+            return np.column_stack([radius * np.cos(angle), radius * np.sin(angle), height])
+
         return points
 
     rails = ruled(rail(0.0, skew), rail(800.0, -skew / 2), 6000.0)
@@ -46,8 +47,10 @@ def cone(half_angle=0.35):
         def points(s):
             angle = s / 4000.0
             r = reach + wave * np.sin(s / 1700)
-            return np.column_stack([r * sine * np.cos(angle), r * sine * np.sin(angle),
-                                    r * np.cos(half_angle)])
+            return np.column_stack(
+                [r * sine * np.cos(angle), r * sine * np.sin(angle), r * np.cos(half_angle)]
+            )
+
         return points
 
     rails = ruled(rail(9000.0, 120.0), rail(9800.0, -90.0), 6000.0)
@@ -65,8 +68,7 @@ def helicoid(twist, width=800.0, length=6000.0):
     rate = twist / 1000.0
 
     def rail(side):
-        return lambda s: np.column_stack(
-            [s, side * np.cos(rate * s), side * np.sin(rate * s)])
+        return lambda s: np.column_stack([s, side * np.cos(rate * s), side * np.sin(rate * s)])
 
     return ruled(rail(-width / 2), rail(width / 2), length)
 
@@ -106,7 +108,8 @@ def test_both_edges_and_every_ruling_of_a_helicoid_keep_their_length(twist):
     for w in (0.0, 1.0):
         speed = np.linalg.norm(edge(development, w).derivative.values, axis=2)
         assert Piecewise(development.plane.breaks, speed[..., None]).integral()[0] == (
-            pytest.approx(exact, abs=1e-9))
+            pytest.approx(exact, abs=1e-9)
+        )
     s = np.linspace(0, 6000, 77)
     ends = [development.flat(s, np.full(77, w)) for w in (0.0, 1.0)]
     assert np.linalg.norm(ends[1] - ends[0], axis=1) == pytest.approx(800.0, abs=1e-9)
@@ -130,7 +133,8 @@ def test_the_error_of_a_diagonal_follows_its_law(twist):
     # Lengths are flat minus true; which sign the two diagonals have follows from K < 0.
     assert abs(flat - true) == pytest.approx(law, rel=0.05)
     assert shape_of(rails, np.array([3000.0]), np.array([0.5])).gauss[0, 0] == pytest.approx(
-        -((twist / 1000) ** 2), rel=1e-9)
+        -((twist / 1000) ** 2), rel=1e-9
+    )
 
 
 def test_strain_of_a_helicoid_is_that_of_its_metric():
@@ -172,8 +176,9 @@ def test_a_rigid_motion_changes_nothing_in_the_plane():
     here = develop(plate.rails.mid)
     moved = Piecewise(
         plate.rails.mid.breaks,
-        np.concatenate([plate.rails.mid.values[..., k : k + 3] @ turn.T + shift for k in (0, 3)],
-                       axis=-1),
+        np.concatenate(
+            [plate.rails.mid.values[..., k : k + 3] @ turn.T + shift for k in (0, 3)], axis=-1
+        ),
     )
     there = develop(moved)
     s, w = mesh(1.0)
@@ -199,8 +204,10 @@ def test_a_fold_is_crossed_without_tearing_or_turning():
     # Lengths on either side of the fold are kept.
     for w in (0.0, 1.0):
         s = np.linspace(fold - 200, fold, 2001)
-        space, plane = (np.linalg.norm(np.diff(f(s, np.full(2001, w)), axis=0), axis=1).sum()
-                        for f in (development.point, development.flat))
+        space, plane = (
+            np.linalg.norm(np.diff(f(s, np.full(2001, w)), axis=0), axis=1).sum()
+            for f in (development.point, development.flat)
+        )
         assert plane == pytest.approx(space, abs=1e-6)
 
 

@@ -34,16 +34,20 @@ class Model:
     def _chain(self, name, curve, sizes, segments):
         document = self.document
         axis = make.make_axis(document, f"A-{name}", self.surface, irregular(curve))
-        member = make.make_member(
-            document, name, axis, [self.sections[s] for s in sizes], segments)
+        member = make.make_member(document, name, axis, [self.sections[s] for s in sizes], segments)
         plates = make.make_plates(document, member, JOINTS)
         return axis, member, plates, make.make_unfold(document, plates)
 
     def figures(self, name="M1"):
         axis, member, plates, unfold = self.chains[name]
         return [
-            axis.Length.Value, member.TotalTorsion.Value, plates.Volume.Value, plates.Mass,
-            unfold.LengthErrorMax, unfold.StrainMax, *unfold.Areas,
+            axis.Length.Value,
+            member.TotalTorsion.Value,
+            plates.Volume.Value,
+            plates.Mass,
+            unfold.LengthErrorMax,
+            unfold.StrainMax,
+            *unfold.Areas,
             *(v for solid in plates.Shape.Solids for v in solid.BoundBox.Center),
         ]
 
@@ -84,7 +88,7 @@ def test_everything_is_built_and_good(model):
 
 def test_an_edit_of_h_reaches_the_members_that_use_it_and_no_others(model):
     before = {name: (model.figures(name), model.shapes(name)) for name in model.chains}
-    model.sections[800].h = 780
+    model.sections[800].Height = 780
     model.document.recompute()
     assert model.figures("M2") == before["M2"][0]
     assert model.shapes("M2") == before["M2"][1]
@@ -104,7 +108,7 @@ def test_an_edit_calls_execute_of_what_depends_on_it_only(model, monkeypatch):
             return real(self, obj)
 
         monkeypatch.setattr(kind, "build", spy)
-    model.sections[500].t = 14
+    model.sections[500].Thickness = 14
     model.document.recompute()
     assert sorted(ran) == sorted(["B500", "M2", "M2 plates", "M2 patterns"])
     ran.clear()
@@ -115,7 +119,7 @@ def test_an_edit_calls_execute_of_what_depends_on_it_only(model, monkeypatch):
 def test_undo_and_redo_bring_back_numbers_and_shapes(model):
     before = model.figures()
     model.document.openTransaction("edit")
-    model.sections[800].h = 700
+    model.sections[800].Height = 700
     model.document.recompute()
     model.document.commitTransaction()
     edited = model.figures()
@@ -143,12 +147,14 @@ def test_saved_closed_opened_and_recomputed_the_numbers_are_the_same(model, tmp_
                     obj.touch()
                 opened.recompute()
             for member, figures in before.items():
-                chain = [opened.getObjectsByLabel(label)[0] for label in (
-                    f"A-{member}", member, f"{member} plates", f"{member} patterns")]
+                chain = [
+                    opened.getObjectsByLabel(label)[0]
+                    for label in (f"A-{member}", member, f"{member} plates", f"{member} patterns")
+                ]
                 model.chains[member] = chain
                 assert model.figures(member) == pytest.approx(figures, rel=1e-9, abs=1e-9)
                 assert all(obj.Proxy.TYPE == obj.BT_Type for obj in chain)
-        opened.getObjectsByLabel("B800")[0].h = 780
+        opened.getObjectsByLabel("B800")[0].Height = 780
         opened.recompute()
         assert model.figures("M1") != pytest.approx(before["M1"], rel=1e-6)
     finally:
@@ -159,7 +165,7 @@ def test_saved_closed_opened_and_recomputed_the_numbers_are_the_same(model, tmp_
 @pytest.mark.parametrize("bad", [30.0, 0.0])
 def test_an_impossible_h_empties_everything_downstream_and_correcting_it_restores(model, bad):
     before, other = model.figures(), model.shapes("M2")
-    model.sections[800].h = bad
+    model.sections[800].Height = bad
     model.document.recompute()
     axis, member, plates, unfold = model.chains["M1"]
     assert axis.Status == "ok"
@@ -170,7 +176,7 @@ def test_an_impossible_h_empties_everything_downstream_and_correcting_it_restore
     assert (plates.PlateCount, plates.Marks, plates.Mass, unfold.Areas) == (0, [], 0.0, [])
     assert member.Zones == [] and plates.Volume.Value == 0
     assert model.shapes("M2") == other
-    model.sections[800].h = 800
+    model.sections[800].Height = 800
     model.document.recompute()
     assert model.figures() == before
     assert model.statuses() == ["ok"] * 4
@@ -179,10 +185,20 @@ def test_an_impossible_h_empties_everything_downstream_and_correcting_it_restore
 @pytest.mark.parametrize("which", ["section", "axis", "surface", "member", "plates"])
 def test_a_deleted_target_is_an_error_by_name_and_not_a_stale_shape(model, which):
     axis, member, plates, unfold = model.chains["M1"]
-    target = {"section": model.sections[600], "axis": axis, "surface": model.surface,
-              "member": member, "plates": plates}[which]
-    first = {"section": member, "axis": member, "surface": axis, "member": plates,
-             "plates": unfold}[which]
+    target = {
+        "section": model.sections[600],
+        "axis": axis,
+        "surface": model.surface,
+        "member": member,
+        "plates": plates,
+    }[which]
+    first = {
+        "section": member,
+        "axis": member,
+        "surface": axis,
+        "member": plates,
+        "plates": unfold,
+    }[which]
     model.document.removeObject(target.Name)
     model.document.recompute()
     assert empty(first) and "is not set" in first.Status and first.Label in first.Status
@@ -197,22 +213,27 @@ def test_a_link_to_the_wrong_kind_is_refused(model):
     assert empty(member)
 
 
-def test_an_expression_from_a_spreadsheet_drives_a_section(model):
+@pytest.mark.parametrize(
+    ("size", "first", "second"),
+    [("Height", 790, 740), ("Breadth", 760, 740), ("Thickness", 22, 19)],
+)
+def test_an_expression_from_a_spreadsheet_drives_a_section(model, size, first, second):
     sheet = model.document.addObject("Spreadsheet::Sheet", "Sizes")
-    sheet.set("A1", "=760 mm")
-    sheet.setAlias("A1", "breadth")
+    sheet.set("A1", f"={first} mm")
+    sheet.setAlias("A1", "wanted")
     model.document.recompute()
-    model.sections[800].setExpression("b", "Sizes.breadth")
+    section = model.sections[800]
+    section.setExpression(size, "Sizes.wanted")
     model.document.recompute()
     by_expression, other = model.figures(), model.shapes("M2")
-    assert model.sections[800].b.Value == 760
-    sheet.set("A1", "=740 mm")
+    assert getattr(section, size).Value == first
+    sheet.set("A1", f"={second} mm")
     model.document.recompute()
-    assert model.sections[800].b.Value == 740
+    assert getattr(section, size).Value == second
     assert model.figures()[2] < by_expression[2]
     assert model.shapes("M2") == other
-    model.sections[800].setExpression("b", None)
-    model.sections[800].b = 760
+    section.setExpression(size, None)
+    setattr(section, size, first)
     model.document.recompute()
     assert model.figures() == by_expression
 
@@ -247,7 +268,7 @@ def test_two_documents_do_not_know_of_each_other(model):
     try:
         second = Model(other)
         assert second.figures() == model.figures()
-        second.sections[800].h = 700
+        second.sections[800].Height = 700
         other.recompute()
         assert second.figures() != model.figures()
         before = model.shapes("M1")
@@ -267,10 +288,15 @@ def test_findings_are_plain_records_on_the_object(model):
 
 def test_outputs_cannot_be_edited_by_hand_and_inputs_can(model):
     _, member, plates, unfold = model.chains["M1"]
-    for obj, name in ((member, "Length"), (plates, "Mass"), (plates, "Marks"), (unfold, "Areas"),
-                      (plates, "Status")):
+    for obj, name in (
+        (member, "Length"),
+        (plates, "Mass"),
+        (plates, "Marks"),
+        (unfold, "Areas"),
+        (plates, "Status"),
+    ):
         assert "ReadOnly" in obj.getEditorMode(name)
-    for obj, name in ((member, "Cut2"), (plates, "JointsTop"), (model.sections[800], "h")):
+    for obj, name in ((member, "Cut2"), (plates, "JointsTop"), (model.sections[800], "Height")):
         assert "ReadOnly" not in obj.getEditorMode(name)
 
 

@@ -11,12 +11,12 @@ import ezdxf
 import numpy as np
 import pytest
 from ezdxf.math import bulge_to_arc
+from flat_plates import annular_sector, rectangle, wavy
 
 from BendTorsionWB.core.arc_fit import deviation, enclosed_area, fit_arcs, fit_outline
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.exchange.dxf import LAYERS, write_plate_dxf
 from BendTorsionWB.exchange.whole_file import whole_file, write_whole
-from flat_plates import annular_sector, rectangle, wavy
 
 FOLDED = {"folds": ((1730.0, 0.02), (2130.0, -0.02))}
 PLATES = {

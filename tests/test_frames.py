@@ -154,8 +154,9 @@ def test_a_normal_that_flips_from_side_to_side_is_carried_on():
     for _ in range(4):
         crossing -= (axis.position([crossing])[0, 0] - 30000.0) / axis.tangent([crossing])[0, 0]
     breaks = np.sort(np.append(axis.position.breaks, crossing))
-    cut = type(axis)(axis.name, axis.curve, sample(axis.position, breaks), axis.given, axis.moved,
-                     axis.control)
+    cut = type(axis)(
+        axis.name, axis.curve, sample(axis.position, breaks), axis.given, axis.moved, axis.control
+    )
     frames = surface_frames(cut, Fickle())
     z = frames.at(np.linspace(0, axis.length, 2001)).z
     assert (z[1:] * z[:-1]).sum(axis=1).min() > 0.99

@@ -33,7 +33,15 @@ def freeform():
     weights = rng.uniform(0.7, 1.4, (7, 6)).tolist()
     surface = Part.BSplineSurface()
     surface.buildFromPolesMultsKnots(
-        poles, [4, 1, 1, 1, 4], [4, 1, 1, 4], [0, 1, 2, 3, 4], [0, 1, 2, 3], False, False, 3, 3,
+        poles,
+        [4, 1, 1, 1, 4],
+        [4, 1, 1, 4],
+        [0, 1, 2, 3, 4],
+        [0, 1, 2, 3],
+        False,
+        False,
+        3,
+        3,
         weights,
     )
     return surface
@@ -54,8 +62,12 @@ def dome():
         (Part.makeSphere(5e3), Sphere(5e3), [-8e3] * 3, [8e3] * 3),
         (Part.makeTorus(30e3, 8e3), Torus(30e3, 8e3), [-40e3, -40e3, -9e3], [40e3, 40e3, 9e3]),
         (Part.makeCylinder(5e3, 9e3).Faces[0], Cylinder(5e3), [-7e3, -7e3, 10], [7e3, 7e3, 8e3]),
-        (Part.makeCone(5e3, 0, 10e3).Faces[0], Cone(5e3, -HALF), [-3e3, -3e3, 2e3],
-         [3e3, 3e3, 6e3]),
+        (
+            Part.makeCone(5e3, 0, 10e3).Faces[0],
+            Cone(5e3, -HALF),
+            [-3e3, -3e3, 2e3],
+            [3e3, 3e3, 6e3],
+        ),
         (Part.makePlane(9e3, 7e3), Plane(), [0, 0, -5e3], [9e3, 7e3, 5e3]),
     ],
     ids=["sphere", "torus", "cylinder", "cone", "plane"],
@@ -92,10 +104,20 @@ def test_pole_points_and_seam_give_the_right_normals():
     near = np.linalg.norm(rng.normal(size=(300, 1)), axis=1)[:, None] * reach
     turn = rng.uniform(0, 2 * np.pi, 300)
     near = near * np.column_stack([np.cos(turn), np.sin(turn), 0 * turn])
-    given = np.vstack([
-        [[0, 0, 6e3], [0, 0, -4e3], [0, 0, 5e3], [6e3, 0, 0], [5e3, 1e-12, 100], [5e3, -1e-12, 10]],
-        near + [0, 0, 5.5e3], near - [0, 0, 4.5e3],
-    ])
+    given = np.vstack(
+        [
+            [
+                [0, 0, 6e3],
+                [0, 0, -4e3],
+                [0, 0, 5e3],
+                [6e3, 0, 0],
+                [5e3, 1e-12, 100],
+                [5e3, -1e-12, 10],
+            ],
+            near + [0, 0, 5.5e3],
+            near - [0, 0, 4.5e3],
+        ]
+    )
     foot, truth = surface.closest(given), Sphere(5e3).closest(given)
     assert np.abs(foot.distance - truth.distance).max() < 1e-9
     assert np.abs(np.hypot(*(foot.points - truth.points)[:6, :2].T)).max() < 1e-9
@@ -125,19 +147,17 @@ def test_freeform_agrees_with_parts_own_projection():
     surface = surface_from_part(spline.toShape())
     rng = np.random.default_rng(9)
     u, v = rng.uniform(0.2, 3.8, 60), rng.uniform(0.2, 2.8, 60)
-    given = np.array([
-        spline.value(a, b) + spline.normal(a, b) * h
-        for a, b, h in zip(u, v, rng.uniform(-600, 600, 60), strict=True)
-    ])
+    given = np.array(
+        [
+            spline.value(a, b) + spline.normal(a, b) * h
+            for a, b, h in zip(u, v, rng.uniform(-600, 600, 60), strict=True)
+        ]
+    )
     foot = surface.closest(given)
-    part = np.array([
-        tuple(spline.value(*spline.parameter(Vector(*point)))) for point in given
-    ])
+    part = np.array([tuple(spline.value(*spline.parameter(Vector(*point)))) for point in given])
     assert np.abs(foot.points - part).max() < 1e-9
     assert (foot.normals[:, 2] > 0).all() and not foot.outside.any()
-    normals = np.array([
-        tuple(spline.normal(*spline.parameter(Vector(*point)))) for point in given
-    ])
+    normals = np.array([tuple(spline.normal(*spline.parameter(Vector(*point)))) for point in given])
     normals *= np.sign(normals[:, 2:])
     assert np.abs(foot.normals - normals).max() < 1e-12
 
@@ -150,8 +170,10 @@ def test_derivatives_against_part():
     u[:2], v[:2] = [0, 4], [3, 0]
     found = patch.evaluate(u, v)
     for k, (a, b) in enumerate(zip(u, v, strict=True)):
-        truth = [spline.value(a, b), *(spline.getDN(a, b, *order)
-                                       for order in ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2)))]
+        truth = [
+            spline.value(a, b),
+            *(spline.getDN(a, b, *order) for order in ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))),
+        ]
         for mine, part in zip(found, truth, strict=True):
             assert np.abs(mine[k] - part).max() < 1e-8
 
@@ -173,13 +195,27 @@ def split(face, rows, columns):
 def swapped(patch):
     """The same patch with u and v exchanged."""
     weights = None if patch.weights is None else patch.weights.T
-    return NurbsPatch(patch.degree_v, patch.degree_u, patch.knots_v, patch.knots_u,
-                      patch.poles.transpose(1, 0, 2), weights, patch.sense)
+    return NurbsPatch(
+        patch.degree_v,
+        patch.degree_u,
+        patch.knots_v,
+        patch.knots_u,
+        patch.poles.transpose(1, 0, 2),
+        weights,
+        patch.sense,
+    )
 
 
 def reversed_sense(patch):
-    return NurbsPatch(patch.degree_u, patch.degree_v, patch.knots_u, patch.knots_v, patch.poles,
-                      patch.weights, -patch.sense)
+    return NurbsPatch(
+        patch.degree_u,
+        patch.degree_v,
+        patch.knots_u,
+        patch.knots_v,
+        patch.poles,
+        patch.weights,
+        -patch.sense,
+    )
 
 
 def test_48_patches_half_reversed_a_third_swapped_face_outwards():
@@ -249,9 +285,9 @@ def test_a_trimmed_part_of_a_torus_across_the_seam():
     surface = surface_from_part(face)
     u, v = np.meshgrid(np.linspace(5.6, 7.4, 15), np.linspace(5.1, 7.9, 15))
     radius = 30e3 + 8.5e3 * np.cos(v)
-    given = np.column_stack([
-        (radius * np.cos(u)).ravel(), (radius * np.sin(u)).ravel(), (8.5e3 * np.sin(v)).ravel()
-    ])
+    given = np.column_stack(
+        [(radius * np.cos(u)).ravel(), (radius * np.sin(u)).ravel(), (8.5e3 * np.sin(v)).ravel()]
+    )
     foot = surface.closest(given)
     assert np.abs(np.abs(foot.distance) - 500).max() < 1e-9
     assert not foot.outside.any()
@@ -280,8 +316,13 @@ def distance_to_shape(points, shape):
         Part.makeCircle(500, Vector(9, 9, 9), Vector(1, 1, 1), 20, 290),
         Part.makeCircle(500),
         Part.BSplineCurve(
-            [Vector(0, 0, 0), Vector(50, 90, 5), Vector(80, -40, 9), Vector(200, 0, 0),
-             Vector(260, 10, 80)]
+            [
+                Vector(0, 0, 0),
+                Vector(50, 90, 5),
+                Vector(80, -40, 9),
+                Vector(200, 0, 0),
+                Vector(260, 10, 80),
+            ]
         ).toShape(0.2, 0.7),
         Part.makeHelix(100, 250, 60).Edges[0],
     ],
@@ -314,10 +355,12 @@ def test_a_wire_becomes_one_curve_whatever_the_order_of_its_edges():
 
 
 def test_edges_that_form_no_chain_are_refused():
-    apart = Part.makeCompound([
-        Part.makeLine(Vector(0, 0, 0), Vector(1, 0, 0)),
-        Part.makeLine(Vector(5, 0, 0), Vector(9, 0, 0)),
-    ])
+    apart = Part.makeCompound(
+        [
+            Part.makeLine(Vector(0, 0, 0), Vector(1, 0, 0)),
+            Part.makeLine(Vector(5, 0, 0), Vector(9, 0, 0)),
+        ]
+    )
     with pytest.raises(BendTorsionError) as caught:
         curve_from_part(apart, "Axis7")
     assert caught.value.findings[0].object == "Axis7"

@@ -211,8 +211,6 @@ def test_faces_with_given_joints_are_left_alone(member):
 
 def test_auto_joints_too_short_for_the_stretch_name_the_member(member):
     with pytest.raises(BendTorsionError) as caught:
-        split_plates(
-            member, {"top": Joints((), "auto")}, rules=JointRules(widest_piece=700.0)
-        )
+        split_plates(member, {"top": Joints((), "auto")}, rules=JointRules(widest_piece=700.0))
     assert caught.value.findings[0].object == member.name
     assert caught.value.findings[0].code == "stock-too-narrow"

@@ -5,10 +5,9 @@ import math
 
 import numpy as np
 import pytest
+from flat_plates import rectangle, strip
 
 from BendTorsionWB.exchange.nc1 import plate_nc1
-
-from flat_plates import rectangle, strip
 
 
 def read(content: bytes) -> dict:
@@ -69,13 +68,15 @@ def curved(mark="M1-T1"):
     radius = 30000.0
 
     def edge(offset):
+        own = radius - offset
         return lambda s: np.column_stack(
-            [(radius - offset) * np.sin(s / radius), radius - (radius - offset) * np.cos(s / radius)]
+            [own * np.sin(s / radius), radius - own * np.cos(s / radius)]
         )
 
     angle = 4000.0 / radius
-    return strip(mark, edge(0.0), edge(800.0), 4000.0,
-                 area=0.5 * angle * (radius**2 - (radius - 800.0) ** 2))
+    return strip(
+        mark, edge(0.0), edge(800.0), 4000.0, area=0.5 * angle * (radius**2 - (radius - 800.0) ** 2)
+    )
 
 
 @pytest.mark.parametrize("plate", [rectangle(), curved()])
@@ -110,8 +111,9 @@ def test_marks_are_on_the_plate_and_named():
     blocks = read(plate_nc1(plate))["blocks"]
     kinds = [kind for kind, _ in blocks]
     assert kinds[0] == "AK" and kinds[-1] == "SI"
-    texts = [rest.split(maxsplit=4)[-1] for kind, rows in blocks if kind == "SI"
-             for _, rest in rows]
+    texts = [
+        rest.split(maxsplit=4)[-1] for kind, rows in blocks if kind == "SI" for _, rest in rows
+    ]
     labels = [line.label for line in plate.lines if line.label.startswith("L")]
     assert texts[0].endswith(plate.mark)
     assert [t.split()[-1] for t in texts[1:]] == labels

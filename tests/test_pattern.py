@@ -106,7 +106,8 @@ def test_lines_and_edges_have_their_true_length(pairs):
         for line in pattern.lines:
             assert line.length_flat == pytest.approx(line.length_3d, abs=1e-7)
             assert np.linalg.norm(line.flat[1] - line.flat[0]) == pytest.approx(
-                line.length_flat, abs=1e-7)
+                line.length_flat, abs=1e-7
+            )
         for panel in pattern.panels:
             if panel.what.startswith("edge"):
                 assert panel.flat == pytest.approx(panel.arc, abs=1e-6)
@@ -114,7 +115,11 @@ def test_lines_and_edges_have_their_true_length(pairs):
                 assert panel.chord_outer < panel.arc * 1.001 + 0.12 * plate.thickness
         kinds = {panel.what for panel in pattern.panels}
         assert kinds == {
-            f"edge {plate.edges[0]}", f"edge {plate.edges[1]}", "diagonal 1", "diagonal 2"}
+            f"edge {plate.edges[0]}",
+            f"edge {plate.edges[1]}",
+            "diagonal 1",
+            "diagonal 2",
+        }
         assert len(pattern.panels) == 4 * (len(pattern.lines) - 1)
 
 
@@ -139,8 +144,14 @@ def test_diagonals_agree_with_an_independent_geodesic(section):
     worst, relative = 0.0, 0.0
     for plate in plates_of(built):
         rails = box_mid_rails(
-            built.frames.axis.position, lambda p: ELLIPSOID.closest(p).normals,
-            law.cells[0].corners, plate.face, section.type, thickness, gaps)
+            built.frames.axis.position,
+            lambda p: ELLIPSOID.closest(p).normals,
+            law.cells[0].corners,
+            plate.face,
+            section.type,
+            thickness,
+            gaps,
+        )
         pattern = develop_plate(plate)
         diagonals = {(p.panel, p.what): p for p in pattern.panels if "diagonal" in p.what}
         lines = pattern.lines
@@ -155,8 +166,10 @@ def test_diagonals_agree_with_an_independent_geodesic(section):
 
 
 def test_the_fold_of_a_transition_turns_by_the_angle_of_its_slope():
-    for align, faces in (("centre", {"top": 1, "bottom": 1, "left": 1, "right": 1}),
-                         ("top", {"top": 0, "bottom": 2, "left": 1, "right": 1})):
+    for align, faces in (
+        ("centre", {"top": 1, "bottom": 1, "left": 1, "right": 1}),
+        ("top", {"top": 0, "bottom": 2, "left": 1, "right": 1}),
+    ):
         built = tapered("box2", slope=2.5, align=align, align_to="previous")
         d = built.law.face_steps[0].largest
         for plate in plates_of(built):
@@ -221,10 +234,12 @@ def test_the_placing_frame_is_that_of_the_three_points_with_z_outward(pairs):
         inner = plate.rails.inner(ends).reshape(2, 2, 3)
         lengths = np.linalg.norm(outer[:, 1] - outer[:, 0], axis=1)
         order = outer[::-1] if lengths[1] < lengths[0] - 0.01 else outer
-        local = np.array([
-            matrix[:3, :3] @ p + matrix[:3, 3]
-            for p in (order[0, 0], order[0, 1], order[1].mean(axis=0))
-        ])
+        local = np.array(
+            [
+                matrix[:3, :3] @ p + matrix[:3, 3]
+                for p in (order[0, 0], order[0, 1], order[1].mean(axis=0))
+            ]
+        )
         assert local[0] == pytest.approx([0, 0, 0], abs=1e-8)
         assert local[1, 0] > 0 and local[1, 1:] == pytest.approx([0, 0], abs=1e-8)
         assert local[2, 2] == pytest.approx(0, abs=1e-8)
@@ -232,7 +247,8 @@ def test_the_placing_frame_is_that_of_the_three_points_with_z_outward(pairs):
         assert outward > 0
         for point in pattern.points:
             assert point.local == pytest.approx(
-                matrix[:3, :3] @ point.xyz + matrix[:3, 3], abs=1e-8)
+                matrix[:3, :3] @ point.xyz + matrix[:3, 3], abs=1e-8
+            )
 
 
 def test_the_flat_placing_puts_the_same_three_points_where_the_model_has_them(pairs):

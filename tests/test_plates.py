@@ -123,8 +123,11 @@ def test_lines_of_a_plate_are_its_ends_stations_and_folds(taper):
                 assert line.s == stations[int(line.label[2:])] and line.s_mid == line.s
         folds = [line.s for line in plate.lines if line.label.startswith("F-")]
         assert folds == [f for f in taper.law.folds if plate.start < f < plate.end]
-        inside = [s for s in stations if plate.start + 1 < s < plate.end - 1
-                  and all(abs(s - f) > 10 for f in folds)]
+        inside = [
+            s
+            for s in stations
+            if plate.start + 1 < s < plate.end - 1 and all(abs(s - f) > 10 for f in folds)
+        ]
         assert len(inside) == len(labels) - 2 - len(folds)
 
 
@@ -168,8 +171,11 @@ def test_a_joint_beside_a_fold_or_another_joint_is_refused(taper, plain):
 
 
 def test_the_rules_warn_and_move_nothing(plain):
-    joints = {"top": Joints((5000.0,), "mm"), "left": Joints((5150.0,), "mm"),
-              "bottom": Joints((500.0, 5000.0), "mm")}
+    joints = {
+        "top": Joints((5000.0,), "mm"),
+        "left": Joints((5150.0,), "mm"),
+        "bottom": Joints((500.0, 5000.0), "mm"),
+    }
     plates, findings = split_plates(plain, joints, rules=JointRules(200.0, 600.0))
     assert ends(plates, "left") == pytest.approx([0, 5150, plain.length])
     close = [f for f in findings if f.code == "joints-not-staggered"]

@@ -6,10 +6,10 @@ import math
 from dataclasses import replace
 
 import pytest
+from flat_plates import annular_sector, member, rectangle
 
 from BendTorsionWB.core.finding import Finding, error, note
 from BendTorsionWB.exchange.report import report_json, summary_lines, write_report
-from flat_plates import annular_sector, member, rectangle
 
 MEMBER_KEYS = (
     "member length_mm mass_kg axis_to_surface_rms_mm axis_to_surface_max_mm "

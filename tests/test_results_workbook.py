@@ -7,10 +7,10 @@ import zipfile
 
 import openpyxl
 import pytest
+from flat_plates import annular_sector, member, rectangle, wavy
 
 from BendTorsionWB.core.finding import BendTorsionError, error, note, warning
 from BendTorsionWB.exchange.results_workbook import write_results
-from flat_plates import annular_sector, member, rectangle, wavy
 
 COLUMNS = {
     "Plates": "member plate part face piece thickness length width net_area net_mass material "

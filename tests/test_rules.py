@@ -65,7 +65,9 @@ def test_a_broken_rule_is_named(own_pack, value):
         rules.joint_rules(pack)
     finding = caught.value.findings[0]
     assert (finding.code, finding.object, finding.position) == (
-        "rule-pack", "OWN.json", "joint_stagger",
+        "rule-pack",
+        "OWN.json",
+        "joint_stagger",
     )
 
 

@@ -181,20 +181,41 @@ BAD_CELLS = [
     ("Axes", 2, "surface", "hal", "unknown-name", None, "did you mean Hall"),
     ("Axes", 3, "axis", "A1", "duplicate", None, "delete or rename"),
     ("Axes", 2, "frame", "given", "frame-table-empty", None, "sheet Frames"),
-    ("Axes", 2, "frame", "sruface", "unknown-value", "surface, minimal, fixed, given",
-     "did you mean surface"),
+    (
+        "Axes",
+        2,
+        "frame",
+        "sruface",
+        "unknown-value",
+        "surface, minimal, fixed, given",
+        "did you mean surface",
+    ),
     ("Axes", 2, "fit", "shove", "unknown-value", "pull, keep, offset", "use one of pull"),
     ("Axes", 2, "closed", "perhaps", "unknown-value", "yes, no", "yes or no"),
     ("Axes", 2, "source", "hall.step#A1", "source-and-points", None, "sheet Points"),
-    ("Axes", 2, "source", "hall.pdf#A1", "file-kind",
-     ".dxf, .step, .stp, .iges, .igs, .brep, .brp", "ending in .dxf"),
+    (
+        "Axes",
+        2,
+        "source",
+        "hall.pdf#A1",
+        "file-kind",
+        ".dxf, .step, .stp, .iges, .igs, .brep, .brp",
+        "ending in .dxf",
+    ),
     ("Axes", 2, "start_z", "high", "not-a-number", None, "write a number"),
     ("Axes", 2, "end_extension", "nan", "not-finite", None, "write a number"),
     ("Axes", 2, "max_spacing", 0, "out-of-range", "above 0", "above 0"),
     ("Surfaces", 2, "kind", "spere", "unknown-value", KINDS, "did you mean sphere"),
     ("Surfaces", 2, "file", "hall.step", "file-not-used", None, "kind file"),
-    ("Surfaces", 2, "file", "hall.txt", "file-kind",
-     ".step, .stp, .iges, .igs, .brep, .brp", "ending in .step"),
+    (
+        "Surfaces",
+        2,
+        "file",
+        "hall.txt",
+        "file-kind",
+        ".step, .stp, .iges, .igs, .brep, .brp",
+        "ending in .step",
+    ),
     ("Surfaces", 2, "parameters", "r=-1", "out-of-range", "above 0", "sphere takes r="),
     ("Surfaces", 2, "parameters", "r=1 q=2", "bad-parameters", None, "sphere takes r="),
     ("Surfaces", 2, "parameters", "x=1", "bad-parameters", None, "sphere takes r="),
@@ -326,8 +347,11 @@ PRESETS = [["axis", "s", "dx", "dz"], ["A1", 0, None, 10], ["A1", 9000, 5, 40]]
 def test_frames_presets_and_sources_are_read(read):
     def more(sheets):
         sheets["Frames"], sheets["Presets"] = FRAMES, PRESETS
-        sheets["Axes"] = [["axis", "surface", "frame", "closed", "end_z"],
-                          ["A1", "Hall", "given", "yes", 7000], ["A2", "Roof", None, None, None]]
+        sheets["Axes"] = [
+            ["axis", "surface", "frame", "closed", "end_z"],
+            ["A1", "Hall", "given", "yes", 7000],
+            ["A2", "Roof", None, None, None],
+        ]
         sheets["Axes"][0].append("source")
         sheets["Axes"][2].append("lines/axes.dxf # ridge")
         sheets["Surfaces"][0].append("file")
@@ -337,9 +361,13 @@ def test_frames_presets_and_sources_are_read(read):
     first, second = schedule.axis("A1"), schedule.axis("A2")
     assert (first.frame, first.closed, first.end_z, first.start_z) == ("given", True, 7000, None)
     assert [(row.s.value, row.angle) for row in first.frames] == [
-        (0.0, pytest.approx(math.radians(5))), (0.6, pytest.approx(math.radians(30)))]
-    assert [(row.s.value, row.move) for row in first.presets] == [(0, (0, 0, 10)),
-                                                                   (9000, (5, 0, 40))]
+        (0.0, pytest.approx(math.radians(5))),
+        (0.6, pytest.approx(math.radians(30))),
+    ]
+    assert [(row.s.value, row.move) for row in first.presets] == [
+        (0, (0, 0, 10)),
+        (9000, (5, 0, 40)),
+    ]
     assert (second.source.file, second.source.part) == ("lines/axes.dxf", "ridge")
     assert second.coordinates().shape == (0, 3)
     assert schedule.surface("Roof").file.file == "roof.step"

@@ -44,8 +44,11 @@ def test_square_boxes_of_the_case_study(type, size, t, inertia, torsion, mass):
 # Published sizes, cm2, cm4 (EN 10365 tables); the root fillets are the tables', not ours.
 @pytest.mark.parametrize(
     "name, radius, area, iy, iz",
-    [("HEB 300", 27, 149.1, 25170, 8563), ("IPE 500", 21, 115.5, 48200, 2142),
-     ("HEA 300", 27, 112.5, 18260, 6310)],
+    [
+        ("HEB 300", 27, 149.1, 25170, 8563),
+        ("IPE 500", 21, 115.5, 48200, 2142),
+        ("HEA 300", 27, 112.5, 18260, 6310),
+    ],
 )
 def test_rolled_sections_with_their_fillets_added_meet_the_tables(name, radius, area, iy, iz):
     section = entry(name).section()
@@ -68,8 +71,7 @@ def test_an_unequal_i_by_the_parallel_axis_theorem():
     found = section_properties(section)
     assert found.area == pytest.approx(area)
     assert found.centroid == pytest.approx((0, z), abs=1e-9)
-    assert found.iy == pytest.approx(sum(b * h**3 / 12 + b * h * (c - z) ** 2
-                                         for b, h, c in parts))
+    assert found.iy == pytest.approx(sum(b * h**3 / 12 + b * h * (c - z) ** 2 for b, h, c in parts))
     assert found.iz == pytest.approx(sum(h * b**3 / 12 for b, h, _ in parts))
     assert found.j == pytest.approx((400 * 25**3 + 300 * 32**3 + (900 - 57) * 14**3) / 3)
     assert found.painted_area == pytest.approx(2 * 400 + 2 * 300 + 2 * 900 - 2 * 14)
@@ -90,8 +92,10 @@ def test_tee_and_channel_by_hand():
 
 
 def test_an_angle_has_the_principal_axes_of_an_angle():
-    rows = [StripRow("leg", "L", 50, -50, 50, 50, 10, "left"),
-            StripRow("foot", "F", 50, -50, -50, -50, 10, "right", "leg")]
+    rows = [
+        StripRow("leg", "L", 50, -50, 50, 50, 10, "left"),
+        StripRow("foot", "F", 50, -50, -50, -50, 10, "right", "leg"),
+    ]
     found = section_properties(strip_list("A", rows))
     assert found.area == 100 * 10 + 90 * 10
     # Of equal legs the axes lie at 45 degrees, and I1 + I2 = Iy + Iz.
@@ -141,8 +145,9 @@ def test_a_regular_polygon_has_bredts_constant_of_its_middle_line(joint):
 
 
 def test_gaps_take_their_plate_away():
-    whole, gapped = (section_properties(box("B", "box1", 500, 400, 16, gap1=g, gap2=2 * g))
-                     for g in (0.0, 4.0))
+    whole, gapped = (
+        section_properties(box("B", "box1", 500, 400, 16, gap1=g, gap2=2 * g)) for g in (0.0, 4.0)
+    )
     assert whole.area - gapped.area == pytest.approx(2 * 12 * 16)
 
 
@@ -155,8 +160,11 @@ def test_flat_parts_and_their_classes():
     assert slenderness_class(top, rules.load("CN"), 355, 206000) == 5
     parts = flat_parts(i_section("H", 300, 300, 19, t_web=11))
     assert [(p.face, p.kind, p.width) for p in parts] == [
-        ("top", "outstand", 144.5), ("top", "outstand", 144.5), ("bottom", "outstand", 144.5),
-        ("bottom", "outstand", 144.5), ("web", "internal", 262.0),
+        ("top", "outstand", 144.5),
+        ("top", "outstand", 144.5),
+        ("bottom", "outstand", 144.5),
+        ("bottom", "outstand", 144.5),
+        ("web", "internal", 262.0),
     ]
     assert slenderness_class(parts[0], rules.load("EU"), 235, 210000) == 1
     assert slenderness_class(parts[0], {}, 235, 210000) is None

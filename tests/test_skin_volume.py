@@ -66,8 +66,9 @@ def test_folds_stay_sharp_and_nothing_overshoots():
 
 
 def test_all_rails_of_a_piece_share_stations_and_knots():
-    steep = sample(lambda s: np.column_stack([s, np.sin(s / 150), 0 * s, s, 0 * s, 0 * s + 9]),
-                   BREAKS)
+    steep = sample(
+        lambda s: np.column_stack([s, np.sin(s / 150), 0 * s, s, 0 * s, 0 * s + 9]), BREAKS
+    )
     [piece] = skin((steep,), tolerance=1e-3)
     assert piece.poles.shape[:1] == (2,) and piece.poles.shape[1] == len(piece.knots) - 4
     s = np.linspace(0, 4000, 501)
@@ -91,8 +92,9 @@ def test_a_folded_strip_has_the_volume_of_its_skin_and_of_the_kernels_solid():
     built = tapered("box2", align="bottom", align_to="previous", slope=4.0)
     for k in range(4):
         rails = strip_rails(built, k, 6000.0, 9300.0)
-        pieces = skin((rails.outer, rails.inner), (rails.boundaries, rails.inner_folds),
-                      tolerance=1e-5)
+        pieces = skin(
+            (rails.outer, rails.inner), (rails.boundaries, rails.inner_folds), tolerance=1e-5
+        )
         ring = [type(p)(p.knots, p.poles[[0, 1, 3, 2]]) for p in pieces]
         volume = strip_volume(rails)
         assert skin_volume(ring) == pytest.approx(volume, rel=1e-7)

@@ -22,7 +22,10 @@ FOLDED = {
     "box2": {"type": "box2"},
     "box1 top flush": {"align": "top", "align_to": "previous"},
     "box2 left-bottom flush": {
-        "type": "box2", "align": "bottom-left", "align_to": "previous", "slope": 4.0
+        "type": "box2",
+        "align": "bottom-left",
+        "align_to": "previous",
+        "slope": 4.0,
     },
     "box1 shallow": {"slope": 6.0, "offset_y": 30.0},
 }
@@ -69,8 +72,12 @@ def test_the_corners_of_the_skin_are_frame_plus_half_height_and_breadth():
     # 800 before the cut, 600 beyond the transition of 2.5 · 200, straight between.
     share = np.clip((s - 9000.0) / 500.0, 0, 1)
     for k, (y, z, y_end, z_end) in enumerate(
-        [(400, 400, 400, 400), (-400, 400, -200, 400), (-400, -400, -200, -200),
-         (400, -400, 400, -200)]
+        [
+            (400, 400, 400, 400),
+            (-400, 400, -200, 400),
+            (-400, -400, -200, -200),
+            (400, -400, 400, -200),
+        ]
     ):
         plane = np.column_stack([y + share * (y_end - y), z + share * (z_end - z)])
         by_hand = in_space(built, ELLIPSOID, s, plane)
@@ -118,7 +125,9 @@ def test_the_mid_surface_is_half_way(case):
             for half in (slice(0, 3), slice(3, 6)):
                 depth, _, _ = foot_on(
                     lambda s, w, c=cell, k=strip: outer_point(built, c, k, s, w),
-                    rails.mid(s)[:, half], s, np.full(60, 0.0 if half.start == 0 else 1.0),
+                    rails.mid(s)[:, half],
+                    s,
+                    np.full(60, 0.0 if half.start == 0 else 1.0),
                 )
                 assert np.abs(depth - 10.0).max() < 0.01
 
@@ -128,7 +137,8 @@ def test_rails_are_continuous_and_without_overshoot_at_the_folds(case):
     built = tapered(**FOLDED[case])
     for rails in strips_of(built):
         for level, folds in (
-            (rails.outer, rails.boundaries), (rails.mid, rails.mid_folds),
+            (rails.outer, rails.boundaries),
+            (rails.mid, rails.mid_folds),
             (rails.inner, rails.inner_folds),
         ):
             folds = np.array(folds)
@@ -174,10 +184,13 @@ def clear_width(built, plate, edge, neighbour, s):
 
 
 @pytest.mark.parametrize("gap", [0.0, 3.0])
-@pytest.mark.parametrize("type, faces, neighbours", [
-    ("box1", ("top", "bottom"), ("left", "right")),
-    ("box2", ("left", "right"), ("top", "bottom")),
-])
+@pytest.mark.parametrize(
+    "type, faces, neighbours",
+    [
+        ("box1", ("top", "bottom"), ("left", "right")),
+        ("box2", ("left", "right"), ("top", "bottom")),
+    ],
+)
 def test_root_gaps_are_kept_in_constant_zones_and_never_undercut_at_folds(
     type, faces, neighbours, gap
 ):
@@ -253,22 +266,31 @@ def test_volumes_of_strips_agree_with_the_skins_and_with_the_kernel(case):
 
 
 def test_volume_of_a_straight_box_is_area_times_length():
-    flat = member([Segment(box("S", "box1", 500, 400, 20, 16, 12))], curve=straight, surface=PLANE,
-                  points=5)
+    flat = member(
+        [Segment(box("S", "box1", 500, 400, 20, 16, 12))], curve=straight, surface=PLANE, points=5
+    )
     plates, _ = split_plates(flat, {})
     by_face = {p.face: p.volume for p in plates}
     clear = 400 - 2 * 12
     assert by_face == pytest.approx(
-        {"top": clear * 20 * 6000, "bottom": clear * 16 * 6000,
-         "left": 500 * 12 * 6000, "right": 500 * 12 * 6000}
+        {
+            "top": clear * 20 * 6000,
+            "bottom": clear * 16 * 6000,
+            "left": 500 * 12 * 6000,
+            "right": 500 * 12 * 6000,
+        }
     )
 
 
 def test_pappus_holds_on_a_bent_straight_box():
     """A square box round a circle of a cylinder: volume is area times the path of the centroid."""
     radius = 12000.0
-    ring = member([Segment(box("S", "box2", 600, 600, 20), align="top")],
-                  curve=lambda t: circle(radius, t), surface=CYLINDER, points=41)
+    ring = member(
+        [Segment(box("S", "box2", 600, 600, 20), align="top")],
+        curve=lambda t: circle(radius, t),
+        surface=CYLINDER,
+        points=41,
+    )
     plates, _ = split_plates(ring, {})
     angle = ring.length / radius
     for plate in plates:
@@ -282,8 +304,12 @@ def test_pappus_holds_on_a_bent_straight_box():
 
 def test_a_bend_sharper_than_the_section_is_refused():
     small = analytic_surface("cylinder", {"r": 700.0})
-    bent = member([Segment(box("S", "box1", 800, 800, 20), align="top")],
-                  curve=lambda t: circle(700.0, t), surface=small, points=21)
+    bent = member(
+        [Segment(box("S", "box1", 800, 800, 20), align="top")],
+        curve=lambda t: circle(700.0, t),
+        surface=small,
+        points=21,
+    )
     with pytest.raises(BendTorsionError) as caught:
         bent.check_bend()
     [finding] = caught.value.findings
@@ -297,8 +323,6 @@ def straight(t):
 def circle(radius, t):
     angle = 0.6 * np.asarray(t)
     return radius * np.column_stack([np.cos(angle), np.sin(angle), 0 * angle])
-
-
 
 
 PLANE = analytic_surface("plane", {})

@@ -66,8 +66,17 @@ def truth(surface, rng, count=2000):
     return on_revolution((radius, surface.r * np.sin(tube), np.cos(tube), np.sin(tube)), rng, count)
 
 
-ANALYTIC = [HALL, Ellipsoid(20e3, 20e3, 35e3), Ellipsoid(30e3, 30e3, 12e3), Sphere(25e3),
-            Cylinder(15e3), CONE, SPIRE, Torus(30e3, 8e3), Plane()]
+ANALYTIC = [
+    HALL,
+    Ellipsoid(20e3, 20e3, 35e3),
+    Ellipsoid(30e3, 30e3, 12e3),
+    Sphere(25e3),
+    Cylinder(15e3),
+    CONE,
+    SPIRE,
+    Torus(30e3, 8e3),
+    Plane(),
+]
 
 
 @pytest.mark.parametrize("surface", ANALYTIC, ids=lambda s: type(s).__name__)
@@ -159,8 +168,15 @@ def test_offset_of_a_sphere_and_flip():
 def test_keys_follow_content():
     assert HALL.key == Ellipsoid(40000, 30000, 20000).key
     assert pickle.loads(pickle.dumps(HALL)).key == HALL.key
-    others = [Ellipsoid(40e3, 30e3, 20e3 + 1e-9), replace(HALL, origin=(0, 0, 1.0)), Flipped(HALL),
-              Offset(HALL, 1.0), Sphere(5.0), Cylinder(5.0), Plane()]
+    others = [
+        Ellipsoid(40e3, 30e3, 20e3 + 1e-9),
+        replace(HALL, origin=(0, 0, 1.0)),
+        Flipped(HALL),
+        Offset(HALL, 1.0),
+        Sphere(5.0),
+        Cylinder(5.0),
+        Plane(),
+    ]
     assert len({surface.key for surface in [HALL, *others]}) == 8
 
 

@@ -35,8 +35,11 @@ def test_alignment_to_the_axis_puts_the_named_faces_on_it(align):
     place = faces(cell.corners - [7.0, -11.0])
     for low, high, size in (("bottom", "top", 600), ("right", "left", 560)):
         named = [name for name in (low, high) if name in align]
-        expected = {low: 0.0, high: size} if low in named else (
-            {high: 0.0, low: -size} if named else {low: -size / 2, high: size / 2})
+        expected = (
+            {low: 0.0, high: size}
+            if low in named
+            else ({high: 0.0, low: -size} if named else {low: -size / 2, high: size / 2})
+        )
         assert {key: place[key] for key in expected} == pytest.approx(expected, abs=1e-9)
 
 
@@ -110,7 +113,8 @@ def test_a_cut_by_ratio_is_a_part_of_the_length():
 def test_slope_zero_is_a_step_where_every_face_is_cut():
     law = section_law("M1", [Segment(BIG), Segment(SMALL, 8000.0, 0.0)], LENGTH)
     assert [(c.label, c.start, c.end) for c in law.cells] == [
-        ("d-1", 0, 8000), ("d-2", 8000, LENGTH)
+        ("d-1", 0, 8000),
+        ("d-2", 8000, LENGTH),
     ]
     assert law.joints == (8000.0,) and law.folds == ()
 
@@ -161,8 +165,9 @@ def test_another_grade_of_the_same_thickness_is_a_joint():
 
 
 def test_gaps_vary_linearly_through_the_transition():
-    wide, narrow = (box("g", "box1", 600 + d, 600 + d, 16, gap1=g, gap2=2 * g)
-                    for d, g in ((200, 10), (0, 2)))
+    wide, narrow = (
+        box("g", "box1", 600 + d, 600 + d, 16, gap1=g, gap2=2 * g) for d, g in ((200, 10), (0, 2))
+    )
     b = zone(section_law("M1", [Segment(wide), Segment(narrow, 5000.0)], LENGTH), "b-1")
     top = b.gaps[0] + 0.5 * (b.end - b.start) * b.gap_rates[0]
     assert top == pytest.approx([6, 12])
@@ -173,7 +178,10 @@ def test_three_segments_each_with_its_own_slope():
     law = section_law("M1", segments, LENGTH)
     spans = [(c.label, c.start, c.end) for c in law.cells]
     assert spans == [
-        ("d-1", 0, 6000), ("b-1", 6000, 6300), ("d-2", 6300, 12000), ("b-2", 12000, 12500),
+        ("d-1", 0, 6000),
+        ("b-1", 6000, 6300),
+        ("d-2", 6300, 12000),
+        ("b-2", 12000, 12500),
         ("d-3", 12500, 20000),
     ]
     for one, two in zip(law.cells, law.cells[1:]):
@@ -186,15 +194,30 @@ def test_three_segments_each_with_its_own_slope():
         ([Segment(BIG), Segment(SMALL, 25000.0)], "cut-beyond-axis", "segment 2", 25000, 20000),
         ([Segment(BIG), Segment(SMALL, 20000.0)], "cut-beyond-axis", "segment 2", 20000, 20000),
         ([Segment(BIG), Segment(SMALL, 0.0)], "cut-order", "segment 2", 0, 0),
-        ([Segment(BIG), Segment(SMALL, 9000.0), Segment(BIG, 7000.0)], "cut-order", "segment 3",
-         7000, 9000),
+        (
+            [Segment(BIG), Segment(SMALL, 9000.0), Segment(BIG, 7000.0)],
+            "cut-order",
+            "segment 3",
+            7000,
+            9000,
+        ),
         ([Segment(BIG), Segment(SMALL, 19900.0)], "transition-past-end", "segment 2", 20150, 20000),
-        ([Segment(BIG), Segment(SMALL, 9000.0), Segment(BIG, 9200.0)], "transitions-overlap",
-         "segment 2", 9250, 9200),
+        (
+            [Segment(BIG), Segment(SMALL, 9000.0), Segment(BIG, 9200.0)],
+            "transitions-overlap",
+            "segment 2",
+            9250,
+            9200,
+        ),
         ([Segment(BIG), Segment(SMALL, 9000.0, -1.0)], "slope", "segment 2", -1, 0),
         ([Segment(BIG), Segment(SMALL, 9000.0, np.nan)], "slope", "segment 2", None, 0),
-        ([Segment(BIG), Segment(box("w", "box2", 600, 600, 16), 9000.0)], "type-change",
-         "segment 2", "box2", "box1"),
+        (
+            [Segment(BIG), Segment(box("w", "box2", 600, 600, 16), 9000.0)],
+            "type-change",
+            "segment 2",
+            "box2",
+            "box1",
+        ),
         ([Segment(BIG, align="above")], "alignment", "segment 1", None, None),
         ([Segment(BIG, align_to="next")], "alignment", "segment 1", None, None),
     ],
@@ -204,7 +227,11 @@ def test_what_cannot_be_is_refused_with_place_and_size(segments, code, position,
         section_law("M1", segments, LENGTH)
     [finding] = caught.value.findings
     assert (finding.severity, finding.code, finding.object, finding.position) == (
-        "error", code, "M1", position)
+        "error",
+        code,
+        "M1",
+        position,
+    )
     assert finding.mend
     if value is not None:
         assert finding.value == value

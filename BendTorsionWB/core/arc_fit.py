@@ -186,9 +186,7 @@ def _fit_piece(
         load = np.cbrt(np.maximum(worst / (_TARGET * tolerance), 1e-6))
         count = max(count + 1, int(np.ceil(load.sum())))
         cumulated = np.concatenate(([0.0], np.cumsum(load)))
-        wanted = np.interp(
-            cumulated[-1] * np.arange(1, count) / count, cumulated, travelled[nodes]
-        )
+        wanted = np.interp(cumulated[-1] * np.arange(1, count) / count, cumulated, travelled[nodes])
         nodes = np.unique(np.concatenate(([0], np.searchsorted(travelled, wanted), [last])))
     while True:
         arcs, worst = _biarcs(points, tangent, nodes)
@@ -251,9 +249,7 @@ def _biarcs(
 
 def _half_tangent(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """tan of half the angle from a to b."""
-    angle = np.arctan2(
-        a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0], a[:, 0] * b[:, 0] + a[:, 1] * b[:, 1]
-    )
+    angle = np.arctan2(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0], a[:, 0] * b[:, 0] + a[:, 1] * b[:, 1])
     return np.tan(0.5 * angle)
 
 

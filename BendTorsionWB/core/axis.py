@@ -204,14 +204,26 @@ def fit_axis(
         moved = np.linalg.norm(target.closest(given).points - given, axis=1)
         final, off = pulled(name, first, target, tolerance, closed, tangents)
         # Points on the surface are as good as points on its offset: both say what is meant.
-        astray = moved if not distance else np.minimum(
-            moved, np.linalg.norm(surface.closest(given).points - given, axis=1)
+        astray = (
+            moved
+            if not distance
+            else np.minimum(moved, np.linalg.norm(surface.closest(given).points - given, axis=1))
         )
         findings += [*off, *moved_findings(name, given, numbers, astray, tolerance)]
     position = arc_length_position(final.curve, closed)
     findings += checked_shape(name, position, closed)
-    return Axis(name, final.curve, position, given, moved, final.control, tuple(findings), closed,
-                distance, through)
+    return Axis(
+        name,
+        final.curve,
+        position,
+        given,
+        moved,
+        final.control,
+        tuple(findings),
+        closed,
+        distance,
+        through,
+    )
 
 
 def fit_uncertainty(
@@ -248,8 +260,14 @@ def fit_uncertainty(
         if target is not None:
             through, _ = pulled(name, through, target, tolerance, closed)
             left = target.closest(left).points
-        half = Axis(name, through.curve, arc_length_position(through.curve, closed), base,
-                    np.zeros(len(base)), base)
+        half = Axis(
+            name,
+            through.curve,
+            arc_length_position(through.curve, closed),
+            base,
+            np.zeros(len(base)),
+            base,
+        )
         nearest = half.position(half.place_of(left))
         out[np.flatnonzero(~used)] = np.linalg.norm(nearest - left, axis=1)
     return out
@@ -267,8 +285,9 @@ def axis_from_curve(
     position = arc_length_position(curve, closed)
     ends = position(np.array([0.0, position.end]))
     found += checked_shape(name, position, closed)
-    return Axis(name, curve, position, ends, np.zeros(2), ends, (*findings, *found), closed,
-                through=curve)
+    return Axis(
+        name, curve, position, ends, np.zeros(2), ends, (*findings, *found), closed, through=curve
+    )
 
 
 def arc_length_position(curve: Curve, closed: bool = False) -> Piecewise:
@@ -300,7 +319,11 @@ def _meets(points: np.ndarray) -> bool:
 
 
 def _target(
-    name: str, given: np.ndarray, surface: Surface | None, fit: str, offset: float | None,
+    name: str,
+    given: np.ndarray,
+    surface: Surface | None,
+    fit: str,
+    offset: float | None,
     findings: list[Finding],
 ) -> tuple[Surface | None, float]:
     """What the points are pulled onto (None: nothing) and its distance from the surface."""
@@ -311,7 +334,13 @@ def _target(
     if offset is None:
         offset = float(surface.closest(given).distance.mean())
         findings.append(
-            note("axis-offset-measured", name, "distance from the surface taken from the points",
-                 "give the offset to hold another one", value=offset, unit="mm")
+            note(
+                "axis-offset-measured",
+                name,
+                "distance from the surface taken from the points",
+                "give the offset to hold another one",
+                value=offset,
+                unit="mm",
+            )
         )
     return Offset(surface, offset), offset

@@ -81,8 +81,13 @@ def checked_points(
     findings = checked_size(name, given)
     if ends_meet and not closed:
         findings.append(
-            warning("axis-ends-meet", name, "the first and the last point are one",
-                    "set closed = yes for a ring", position=f"point {numbers[-1]}")
+            warning(
+                "axis-ends-meet",
+                name,
+                "the first and the last point are one",
+                "set closed = yes for a ring",
+                position=f"point {numbers[-1]}",
+            )
         )
     median = float(np.median(gaps))
     for index in np.flatnonzero(gaps > WIDE_GAP * median) if len(gaps) > 2 else ():
@@ -112,8 +117,11 @@ def checked_size(name: str, points: np.ndarray) -> list[Finding]:
             "axis-size",
             name,
             f"the whole axis measures {size:.6g} mm; "
-            + ("the coordinates are likely in metres" if small else
-               "the coordinates are likely in micrometres, or hold a slip"),
+            + (
+                "the coordinates are likely in metres"
+                if small
+                else "the coordinates are likely in micrometres, or hold a slip"
+            ),
             "give coordinates in mm" + (": multiply by 1000" if small else ""),
             value=size,
             limit=SMALLEST_AXIS if small else LARGEST_AXIS,
@@ -123,7 +131,11 @@ def checked_size(name: str, points: np.ndarray) -> list[Finding]:
 
 
 def checked_feet(
-    name: str, given: np.ndarray, numbers: np.ndarray, surface: Surface | None, fit: str,
+    name: str,
+    given: np.ndarray,
+    numbers: np.ndarray,
+    surface: Surface | None,
+    fit: str,
     offset: float,
 ) -> list[Finding]:
     """Findings for points against their surface; raises BendTorsionError when they are so far
@@ -146,8 +158,9 @@ def checked_feet(
             name,
             "the axis is far from its surface"
             + (f"; the coordinates are likely in {unit}" if unit else ""),
-            f"give coordinates in mm: multiply by {UNITS[unit]:g}" if unit else
-            "choose the surface the axis lies on, or check the coordinates",
+            f"give coordinates in mm: multiply by {UNITS[unit]:g}"
+            if unit
+            else "choose the surface the axis lies on, or check the coordinates",
             position=f"point {numbers[worst]}",
             value=float(away[worst]),
             limit=limit,
@@ -158,16 +171,25 @@ def checked_feet(
         findings.append(finding)
     for index in np.flatnonzero(foot.outside & (away <= limit)):
         findings.append(
-            warning("axis-past-border", name, "given point lies past the border of the surface",
-                    "extend the surface or shorten the axis",
-                    position=f"point {numbers[index]}", value=float(beyond[index]), unit="mm")
+            warning(
+                "axis-past-border",
+                name,
+                "given point lies past the border of the surface",
+                "extend the surface or shorten the axis",
+                position=f"point {numbers[index]}",
+                value=float(beyond[index]),
+                unit="mm",
+            )
         )
     for index in np.flatnonzero(foot.ambiguous):
         findings.append(
-            warning("axis-foot-ambiguous", name,
-                    "given point has no single nearest point and normal on the surface",
-                    "move the point towards the surface, off its creases",
-                    position=f"point {numbers[index]}")
+            warning(
+                "axis-foot-ambiguous",
+                name,
+                "given point has no single nearest point and normal on the surface",
+                "move the point towards the surface, off its creases",
+                position=f"point {numbers[index]}",
+            )
         )
     return findings
 
@@ -194,12 +216,17 @@ def moved_findings(
     if small.any():
         rounded = bool((given == np.round(given)).all())
         findings.append(
-            note("axis-points-pulled", name,
-                 f"{int(small.sum())} of {len(given)} given points lie off the surface by less "
-                 f"than 1 mm and were pulled onto it"
-                 + ("; the coordinates are rounded to 1 mm" if rounded else ""),
-                 "give more decimals" if rounded else "",
-                 value=float(moved[small].max()), limit=tolerance, unit="mm")
+            note(
+                "axis-points-pulled",
+                name,
+                f"{int(small.sum())} of {len(given)} given points lie off the surface by less "
+                f"than 1 mm and were pulled onto it"
+                + ("; the coordinates are rounded to 1 mm" if rounded else ""),
+                "give more decimals" if rounded else "",
+                value=float(moved[small].max()),
+                limit=tolerance,
+                unit="mm",
+            )
         )
     return findings
 
@@ -216,9 +243,7 @@ def likely_unit(points: np.ndarray, surface: Surface) -> str | None:
     return best[0] if best else None
 
 
-def checked_curve(
-    name: str, curve: Curve, surface: Surface | None
-) -> tuple[bool, list[Finding]]:
+def checked_curve(name: str, curve: Curve, surface: Surface | None) -> tuple[bool, list[Finding]]:
     """Whether an exact curve closes smoothly, and findings; raises BendTorsionError at kinks."""
     findings, errors = [], []
     at, angle = kinks(curve)
@@ -228,10 +253,14 @@ def checked_curve(
             sharp = turn > KINK
             (errors if sharp else findings).append(
                 (error if sharp else warning)(
-                    "axis-kink", name, "the curve has a kink, which no member can follow",
+                    "axis-kink",
+                    name,
+                    "the curve has a kink, which no member can follow",
                     "round it, split the curve there, or use its vertices as points",
-                    position=place(point), value=float(np.degrees(turn)),
-                    limit=float(np.degrees(KINK if sharp else SLIGHT_KINK)), unit="°",
+                    position=place(point),
+                    value=float(np.degrees(turn)),
+                    limit=float(np.degrees(KINK if sharp else SLIGHT_KINK)),
+                    unit="°",
                 )
             )
     if errors:
@@ -245,9 +274,16 @@ def checked_curve(
         closed = turn <= KINK
         if not closed:
             findings.append(
-                warning("axis-ends-meet", name, "the curve's ends meet with a kink: taken as open",
-                        "round the corner for a ring", position=place(ends[0]),
-                        value=float(np.degrees(turn)), limit=float(np.degrees(KINK)), unit="°")
+                warning(
+                    "axis-ends-meet",
+                    name,
+                    "the curve's ends meet with a kink: taken as open",
+                    "round the corner for a ring",
+                    position=place(ends[0]),
+                    value=float(np.degrees(turn)),
+                    limit=float(np.degrees(KINK)),
+                    unit="°",
+                )
             )
     samples = curve.evaluate(np.linspace(first, last, 201))[0]
     findings += checked_size(name, samples)
@@ -257,9 +293,16 @@ def checked_curve(
         worst = int(np.argmax(distance))
         if distance[worst] > limit:
             findings.append(
-                warning("axis-far-from-surface", name, "the axis is far from its surface",
-                        "choose the surface the axis lies on", position=place(samples[worst]),
-                        value=float(distance[worst]), limit=float(limit), unit="mm")
+                warning(
+                    "axis-far-from-surface",
+                    name,
+                    "the axis is far from its surface",
+                    "choose the surface the axis lies on",
+                    position=place(samples[worst]),
+                    value=float(distance[worst]),
+                    limit=float(limit),
+                    unit="mm",
+                )
             )
     return closed, findings
 
@@ -273,8 +316,15 @@ def checked_shape(name: str, position: Piecewise, closed: bool) -> list[Finding]
     at = position(np.array([first]))[0]
     if not closed and first < _ENDS_MEET and second > position.end - _ENDS_MEET:
         return [
-            note("axis-ends-meet", name, "start and end of the axis meet",
-                 "set closed = yes for a ring", position=place(at), value=distance, unit="mm")
+            note(
+                "axis-ends-meet",
+                name,
+                "start and end of the axis meet",
+                "set closed = yes for a ring",
+                position=place(at),
+                value=distance,
+                unit="mm",
+            )
         ]
     raise BendTorsionError(
         error(
@@ -313,10 +363,12 @@ def self_approach(position: Piecewise, closed: bool) -> tuple[float, float, floa
         # Beside parallel parts the damping keeps the step along them small.
         below = 1.0 - dot**2 + 1e-6
         along, back = (gap * a).sum(axis=1), (gap * b).sum(axis=1)
-        first = np.clip(first + np.clip((along - dot * back) / below, -step, step),
-                        0.0, position.end)
-        second = np.clip(second + np.clip((dot * along - back) / below, -step, step),
-                         0.0, position.end)
+        first = np.clip(
+            first + np.clip((along - dot * back) / below, -step, step), 0.0, position.end
+        )
+        second = np.clip(
+            second + np.clip((dot * along - back) / below, -step, step), 0.0, position.end
+        )
     distance = np.linalg.norm(position(second) - position(first), axis=1)
     apart = second - first
     if closed:

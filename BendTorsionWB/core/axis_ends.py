@@ -35,9 +35,7 @@ class AxisEnd:
     extension: float = 0.0
 
 
-def with_ends(
-    axis: Axis, start: AxisEnd, end: AxisEnd, surface: Surface | None = None
-) -> Axis:
+def with_ends(axis: Axis, start: AxisEnd, end: AxisEnd, surface: Surface | None = None) -> Axis:
     """The axis between its new ends; s counts from the new start.
 
     Extensions keep tangent and geodesic curvature, at the end's distance from the surface when
@@ -49,8 +47,12 @@ def with_ends(
         return axis
     if axis.closed:
         raise BendTorsionError(
-            error("axis-end-closed", axis.name, "a closed axis has no ends to move",
-                  "clear the end heights and extensions")
+            error(
+                "axis-end-closed",
+                axis.name,
+                "a closed axis has no ends to move",
+                "clear the end heights and extensions",
+            )
         )
     late = _growth(axis, end, surface, "end")
     mirrored = axis.turned()
@@ -58,8 +60,15 @@ def with_ends(
     left = axis.length + early[0] + late[0]
     if left < SHORTEST_AXIS:
         raise BendTorsionError(
-            error("axis-too-short", axis.name, "nothing is left of the axis between its ends",
-                  "trim less", value=left, limit=SHORTEST_AXIS, unit="mm")
+            error(
+                "axis-too-short",
+                axis.name,
+                "nothing is left of the axis between its ends",
+                "trim less",
+                value=left,
+                limit=SHORTEST_AXIS,
+                unit="mm",
+            )
         )
     low, high = max(-early[0], 0.0), axis.length + min(late[0], 0.0)
     first, last = parameters_at(axis.curve, np.array([low, high]))
@@ -98,17 +107,30 @@ def _growth(
         growth = None if growth is None else -growth
     if growth is None:
         raise BendTorsionError(
-            error("axis-end-height", axis.name,
-                  f"the axis does not reach the height asked of its {which}",
-                  "choose a height the axis runs through", position=which, value=target,
-                  limit=here, unit="mm")
+            error(
+                "axis-end-height",
+                axis.name,
+                f"the axis does not reach the height asked of its {which}",
+                "choose a height the axis runs through",
+                position=which,
+                value=target,
+                limit=here,
+                unit="mm",
+            )
         )
     whole = growth + asked.extension
     if whole > _longest(axis):
         raise BendTorsionError(
-            error("axis-extension", axis.name, f"the {which} is extended by more than the axis",
-                  "extend less, or give points there", position=which, value=whole,
-                  limit=_longest(axis), unit="mm")
+            error(
+                "axis-extension",
+                axis.name,
+                f"the {which} is extended by more than the axis",
+                "extend less, or give points there",
+                position=which,
+                value=whole,
+                limit=_longest(axis),
+                unit="mm",
+            )
         )
     if not outwards:
         return whole, extension(axis, whole, surface) if whole > 0 else None
@@ -134,8 +156,7 @@ def _first_at_height(curve: Curve, target: float) -> float | None:
     if not len(crossed):
         return None
     low, high = s[crossed[0]], s[crossed[0] + 1]
-    return float(brentq(lambda at: position(np.array([at]))[0, 2] - target, low, high,
-                        xtol=1e-10))
+    return float(brentq(lambda at: position(np.array([at]))[0, 2] - target, low, high, xtol=1e-10))
 
 
 def extension(axis: Axis, length: float, surface: Surface | None = None) -> Curve:
@@ -160,8 +181,9 @@ def extension(axis: Axis, length: float, surface: Surface | None = None) -> Curv
 def _circle(point, tangent, bend, length) -> Curve:
     curvature = float(np.linalg.norm(bend))
     if curvature * length < 1e-12:
-        return Curve(1, np.array([0.0, 0.0, length, length]),
-                     np.array([point, point + length * tangent]))
+        return Curve(
+            1, np.array([0.0, 0.0, length, length]), np.array([point, point + length * tangent])
+        )
     # A full turn at most: beyond it the circle would run over itself.
     normal, radius = bend / curvature, 1.0 / curvature
     angle = np.linspace(0.0, min(1.01 * length * curvature, 2 * np.pi), _STEPS + 1)[:, None]

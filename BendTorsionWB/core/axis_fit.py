@@ -75,9 +75,9 @@ def interpolate(
     # One derivative more at an end: one knot more than not-a-knot keeps.
     degree = min(3, len(points) - 1 + sum(tangent is not None for tangent in tangents))
     inner = parameters[1 if tangents[0] is not None else 2 : -1 if tangents[1] is not None else -2]
-    knots = np.concatenate([
-        np.full(degree + 1, parameters[0]), inner, np.full(degree + 1, parameters[-1])
-    ])
+    knots = np.concatenate(
+        [np.full(degree + 1, parameters[0]), inner, np.full(degree + 1, parameters[-1])]
+    )
     conditions = [
         None if tangent is None else [(1, np.asarray(tangent, float) / np.linalg.norm(tangent))]
         for tangent in tangents
@@ -90,9 +90,7 @@ def refined_parameters(fit: Fit, rules: Refinement, surface: Surface | None) -> 
     """The fit's parameters with its spans cut into even parts until every rule is kept."""
     parameters, spans = fit.parameters, np.diff(fit.parameters)
     u = parameters[:-1, None] + spans[:, None] * np.linspace(0.0, 1.0, _SAMPLES)
-    points, first, second = (
-        part.reshape(*u.shape, 3) for part in fit.curve.evaluate(u.ravel(), 2)
-    )
+    points, first, second = (part.reshape(*u.shape, 3) for part in fit.curve.evaluate(u.ravel(), 2))
     speed = np.linalg.norm(first, axis=2)
     curvature = np.linalg.norm(np.cross(first, second), axis=2) / speed**3
     length = np.trapz(speed, u, axis=1)
@@ -115,7 +113,11 @@ def refined_parameters(fit: Fit, rules: Refinement, surface: Surface | None) -> 
 
 
 def pulled(
-    name: str, first: Fit, surface: Surface, tolerance: float, closed: bool,
+    name: str,
+    first: Fit,
+    surface: Surface,
+    tolerance: float,
+    closed: bool,
     tangents: tuple[np.ndarray | None, np.ndarray | None] = (None, None),
 ) -> tuple[Fit, list[Finding]]:
     """The fit with its points pulled onto the surface, and more of them, taken on the first fit,

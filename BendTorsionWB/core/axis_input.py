@@ -94,9 +94,18 @@ def axis_from(given: AxisInput, surface: Surface | None) -> Axis:
     row = ordered_points(given)
     if row is not None:
         axis = fit_axis(
-            given.name, row.points, surface, given.fit, given.tolerance, given.max_spacing,
-            closed=row.closed, offset=given.offset, refinement=given.refinement,
-            start_tangent=given.start_tangent, end_tangent=given.end_tangent, numbers=row.numbers,
+            given.name,
+            row.points,
+            surface,
+            given.fit,
+            given.tolerance,
+            given.max_spacing,
+            closed=row.closed,
+            offset=given.offset,
+            refinement=given.refinement,
+            start_tangent=given.start_tangent,
+            end_tangent=given.end_tangent,
+            numbers=row.numbers,
         ).with_findings(row.findings)
     elif given.curve is not None:
         axis = axis_from_curve(given.name, given.curve, surface)
@@ -129,9 +138,12 @@ def ordered_points(given: AxisInput) -> OrderedPoints | None:
     closed = given.closed or bool(
         np.linalg.norm(vertices[-1] - vertices[0]) <= tolerances.POINTS_COINCIDE
     )
-    repair = note("axis-polyline", given.name,
-                  "the curve is a polyline: the axis is a smooth curve through its vertices",
-                  value=len(vertices))
+    repair = note(
+        "axis-polyline",
+        given.name,
+        "the curve is a polyline: the axis is a smooth curve through its vertices",
+        value=len(vertices),
+    )
     return OrderedPoints(vertices, np.arange(1, len(vertices) + 1), closed, (repair,))
 
 
@@ -141,6 +153,7 @@ def axis_uncertainty(given: AxisInput, surface: Surface | None) -> AxisUncertain
     if row is None:
         return AxisUncertainty(np.zeros(0))
     return AxisUncertainty(
-        fit_uncertainty(given.name, row.points, surface, given.fit, given.tolerance, row.closed,
-                        given.offset)
+        fit_uncertainty(
+            given.name, row.points, surface, given.fit, given.tolerance, row.closed, given.offset
+        )
     )

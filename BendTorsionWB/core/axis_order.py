@@ -54,26 +54,49 @@ def chain_segments(
     for k, part in enumerate(given):
         if not np.isfinite(part).all():
             raise BendTorsionError(
-                error("axis-point-not-a-number", name, "coordinate is not a finite number",
-                      "give x, y and z in mm", position=f"segment {k + 1}")
+                error(
+                    "axis-point-not-a-number",
+                    name,
+                    "coordinate is not a finite number",
+                    "give x, y and z in mm",
+                    position=f"segment {k + 1}",
+                )
             )
-        twin = next((j for j, other in zip(index, parts, strict=True)
-                     if _same(part, other, tolerance)), None)
+        twin = next(
+            (j for j, other in zip(index, parts, strict=True) if _same(part, other, tolerance)),
+            None,
+        )
         if len(part) < 2 or np.ptp(part, axis=0).max() <= tolerance:
-            findings.append(note("axis-segment-short", name, "segment has no length: left out",
-                                 position=f"segment {k + 1}"))
+            findings.append(
+                note(
+                    "axis-segment-short",
+                    name,
+                    "segment has no length: left out",
+                    position=f"segment {k + 1}",
+                )
+            )
         elif twin is not None:
             findings.append(
-                note("axis-segment-twice", name, f"segment repeats segment {twin + 1}: left out",
-                     position=f"segment {k + 1}")
+                note(
+                    "axis-segment-twice",
+                    name,
+                    f"segment repeats segment {twin + 1}: left out",
+                    position=f"segment {k + 1}",
+                )
             )
         else:
             parts.append(part)
             index.append(k)
     if not parts:
         raise BendTorsionError(
-            error("axis-too-few-points", name, "no segment with any length", "add segments",
-                  value=len(given), limit=1)
+            error(
+                "axis-too-few-points",
+                name,
+                "no segment with any length",
+                "add segments",
+                value=len(given),
+                limit=1,
+            )
         )
     ends = np.array([[part[0], part[-1]] for part in parts])
     node = _places(ends.reshape(-1, 3), tolerance).reshape(-1, 2)
@@ -97,8 +120,13 @@ def chain_segments(
     chained = points[0]
     if closed:
         chained = chained[:-1]
-    return Chain(chained, np.array([index[k] for k, _ in run]),
-                 np.array([back for _, back in run]), closed, tuple(findings))
+    return Chain(
+        chained,
+        np.array([index[k] for k, _ in run]),
+        np.array([back for _, back in run]),
+        closed,
+        tuple(findings),
+    )
 
 
 def chain_curves(
@@ -112,10 +140,12 @@ def chain_curves(
         for curve in curves
     )
     chain = chain_segments(name, ends, tolerance)
-    return joined([
-        turned(curves[k]) if back else curves[k]
-        for k, back in zip(chain.order, chain.turned, strict=True)
-    ]), chain.findings
+    return joined(
+        [
+            turned(curves[k]) if back else curves[k]
+            for k, back in zip(chain.order, chain.turned, strict=True)
+        ]
+    ), chain.findings
 
 
 def chain_points(name: str, points: np.ndarray, closed: bool = False) -> Chain:
@@ -129,16 +159,24 @@ def chain_points(name: str, points: np.ndarray, closed: bool = False) -> Chain:
     if not np.isfinite(given).all():
         bad = int(np.argmin(np.isfinite(given).all(axis=1))) + 1
         raise BendTorsionError(
-            error("axis-point-not-a-number", name, "coordinate is not a finite number",
-                  "give x, y and z in mm", position=f"point {bad}")
+            error(
+                "axis-point-not-a-number",
+                name,
+                "coordinate is not a finite number",
+                "give x, y and z in mm",
+                position=f"point {bad}",
+            )
         )
     node = _places(given, tolerances.POINTS_COINCIDE)
     _, first = np.unique(node, return_index=True)
     kept = np.sort(first)
     findings = [
-        note("axis-point-twice", name,
-             f"point repeats point {int(np.flatnonzero(node == node[k])[0]) + 1}: left out",
-             position=f"point {k + 1}")
+        note(
+            "axis-point-twice",
+            name,
+            f"point repeats point {int(np.flatnonzero(node == node[k])[0]) + 1}: left out",
+            position=f"point {k + 1}",
+        )
         for k in np.setdiff1d(np.arange(len(given)), kept)
     ]
     distance = np.linalg.norm(given[kept][:, None] - given[kept][None], axis=2)
@@ -207,9 +245,15 @@ def _branches(name, node, degree, ends, index) -> list[Finding]:
         rows, sides = np.nonzero(node == branch)
         numbers = ", ".join(str(index[row] + 1) for row in rows)
         problems.append(
-            error("axis-branch", name, f"segments {numbers} all meet at one place",
-                  "leave out the segments of the other branch",
-                  position=place(ends[rows[0], sides[0]]), value=int(degree[branch]), limit=2)
+            error(
+                "axis-branch",
+                name,
+                f"segments {numbers} all meet at one place",
+                "leave out the segments of the other branch",
+                position=place(ends[rows[0], sides[0]]),
+                value=int(degree[branch]),
+                limit=2,
+            )
         )
     return problems
 
@@ -249,16 +293,25 @@ def _gaps(name, runs, ends, index, tolerance) -> list[Finding]:
     while len(joined) < len(runs):
         gap, inside, outside, side = min(
             (float(np.linalg.norm(tips[a][i] - tips[b][j])), a, b, i)
-            for a in joined for b in range(len(runs)) if b not in joined
-            for i in (0, 1) for j in (0, 1)
+            for a in joined
+            for b in range(len(runs))
+            if b not in joined
+            for i in (0, 1)
+            for j in (0, 1)
         )
         joined.add(outside)
         problems.append(
-            error("axis-segment-gap", name,
-                  f"segment {index[runs[inside][-side][0]] + 1} and segment "
-                  f"{index[runs[outside][0][0]] + 1}'s chain do not meet",
-                  "close the gap, or leave out what does not belong to the axis",
-                  position=place(tips[inside][side]), value=gap, limit=tolerance, unit="mm")
+            error(
+                "axis-segment-gap",
+                name,
+                f"segment {index[runs[inside][-side][0]] + 1} and segment "
+                f"{index[runs[outside][0][0]] + 1}'s chain do not meet",
+                "close the gap, or leave out what does not belong to the axis",
+                position=place(tips[inside][side]),
+                value=gap,
+                limit=tolerance,
+                unit="mm",
+            )
         )
     return problems
 
@@ -302,8 +355,9 @@ def _rival(points, distance, paths, lengths, best, closed):
     i, j = i[inner], j[inner]
     before, after = path[i - 1], path[(j + 1) % count]
     change = np.where(closed | (i > 0), distance[before, path[j]] - distance[before, path[i]], 0.0)
-    change += np.where(closed | (j < count - 1),
-                       distance[path[i], after] - distance[path[j], after], 0.0)
+    change += np.where(
+        closed | (j < count - 1), distance[path[i], after] - distance[path[j], after], 0.0
+    )
     near = np.flatnonzero(change < (AMBIGUOUS - 1.0) * lengths[best])
     for k in near[np.argsort(change[near])][:_MOST_RIVALS]:
         turned_over = path.copy()
@@ -313,8 +367,11 @@ def _rival(points, distance, paths, lengths, best, closed):
     found = (None, AMBIGUOUS * lengths[best])
     for other in candidates:
         length = distance[other[:-1], other[1:]].sum() + closed * distance[other[-1], other[0]]
-        if (length < found[1] and _bend(points[other], closed) < bend + SAME_BEND
-                and _links(other, closed) != own):
+        if (
+            length < found[1]
+            and _bend(points[other], closed) < bend + SAME_BEND
+            and _links(other, closed) != own
+        ):
             found = (other, length)
     return found if found[0] is not None else (None, 0.0)
 

@@ -54,8 +54,9 @@ def crossings(first: Axis, second: Axis, limit: float = LONGEST_MISS) -> tuple[C
     found: list[Crossing] = []
     for k in np.lexsort((b, a)):
         new = Crossing(float(a[k]), float(b[k]), x[k], y[k], float(away[k]))
-        twin = any(abs(old.first - new.first) + abs(old.second - new.second) < 1e-3
-                   for old in found)
+        twin = any(
+            abs(old.first - new.first) + abs(old.second - new.second) < 1e-3 for old in found
+        )
         if new.distance <= limit and not twin:
             found.append(new)
     return tuple(found)
@@ -79,8 +80,12 @@ def cut_place(
     """
     if sum(value is not None for value in (length, ratio, point, crossing)) != 1:
         raise BendTorsionError(
-            error("cut-place", axis.name, "a cut needs one of length, ratio, point, crossing axis",
-                  "give exactly one")
+            error(
+                "cut-place",
+                axis.name,
+                "a cut needs one of length, ratio, point, crossing axis",
+                "give exactly one",
+            )
         )
     if length is not None:
         s = length if length >= 0 else axis.length + length
@@ -95,8 +100,15 @@ def cut_place(
         return float(np.mod(s, axis.length))
     if not -tolerances.SAME_STATION <= s <= axis.length + tolerances.SAME_STATION:
         raise BendTorsionError(
-            error("cut-beyond-axis", axis.name, "the cut is not on the axis", "move the cut",
-                  value=s, limit=axis.length, unit="mm")
+            error(
+                "cut-beyond-axis",
+                axis.name,
+                "the cut is not on the axis",
+                "move the cut",
+                value=s,
+                limit=axis.length,
+                unit="mm",
+            )
         )
     return min(max(s, 0.0), axis.length)
 
@@ -106,9 +118,16 @@ def _nearest_place(axis: Axis, point: np.ndarray) -> float:
     away = float(np.linalg.norm(axis.position(s) - point))
     if not away <= LONGEST_POINT_MISS:
         raise BendTorsionError(
-            error("cut-point-far", axis.name, "the point of the cut is far from the axis",
-                  "choose a point near the axis", position=place(point[0]), value=away,
-                  limit=LONGEST_POINT_MISS, unit="mm")
+            error(
+                "cut-point-far",
+                axis.name,
+                "the point of the cut is far from the axis",
+                "choose a point near the axis",
+                position=place(point[0]),
+                value=away,
+                limit=LONGEST_POINT_MISS,
+                unit="mm",
+            )
         )
     return float(s[0])
 
@@ -117,18 +136,29 @@ def _crossing_place(axis: Axis, other: Axis) -> float:
     found = sorted(crossings(axis, other), key=lambda item: item.distance)
     if not found:
         raise BendTorsionError(
-            error("cut-no-crossing", axis.name, f"axis {other.name} does not come near this one",
-                  "choose an axis that crosses", position=other.name, limit=LONGEST_MISS,
-                  unit="mm")
+            error(
+                "cut-no-crossing",
+                axis.name,
+                f"axis {other.name} does not come near this one",
+                "choose an axis that crosses",
+                position=other.name,
+                limit=LONGEST_MISS,
+                unit="mm",
+            )
         )
     near = [item for item in found if item.distance <= found[0].distance + 1.0]
     if len(near) > 1:
         places = ", ".join(f"{item.first:.0f}" for item in sorted(near, key=lambda i: i.first))
         raise BendTorsionError(
-            error("cut-crossing-ambiguous", axis.name,
-                  f"axis {other.name} crosses at s = {places} mm",
-                  "give the cut by length or by a point", position=other.name, value=len(near),
-                  limit=1)
+            error(
+                "cut-crossing-ambiguous",
+                axis.name,
+                f"axis {other.name} crosses at s = {places} mm",
+                "give the cut by length or by a point",
+                position=other.name,
+                value=len(near),
+                limit=1,
+            )
         )
     return found[0].first
 

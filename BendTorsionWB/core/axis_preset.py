@@ -50,7 +50,8 @@ def with_preset(axis: Axis, preset: Preset) -> Axis:
     arc = arc_length(curve)
     place = resolve(
         lambda at: parameters_at(curve, np.clip(at, 0.0, arc(np.array([arc.end]))[0, 0]))[:, None],
-        fabricated.breaks, max(axis.length, 1.0),
+        fabricated.breaks,
+        max(axis.length, 1.0),
     )
     where = axis.place_of(axis.control)
     findings += checked_shape(axis.name, fabricated, axis.closed)
@@ -71,21 +72,44 @@ def _checked(axis: Axis, preset: Preset):
     problems = []
     finite = np.isfinite(places) & np.isfinite(moves).all(axis=1)
     for row in np.flatnonzero(~finite):
-        problems.append(error("preset-not-a-number", axis.name, "displacement is not a number",
-                              "give place, dx, dy, dz", position=f"preset row {row + 1}"))
+        problems.append(
+            error(
+                "preset-not-a-number",
+                axis.name,
+                "displacement is not a number",
+                "give place, dx, dy, dz",
+                position=f"preset row {row + 1}",
+            )
+        )
     s = places * axis.length if preset.by == "ratio" else places
     off = finite & ((s < -tolerances.SAME_STATION) | (s > axis.length + tolerances.SAME_STATION))
     for row in np.flatnonzero(off):
-        problems.append(error("preset-beyond-axis", axis.name, "the row is not on the axis",
-                              "give a place between 0 and the axis's length",
-                              position=f"preset row {row + 1}", value=float(s[row]),
-                              limit=axis.length, unit="mm"))
+        problems.append(
+            error(
+                "preset-beyond-axis",
+                axis.name,
+                "the row is not on the axis",
+                "give a place between 0 and the axis's length",
+                position=f"preset row {row + 1}",
+                value=float(s[row]),
+                limit=axis.length,
+                unit="mm",
+            )
+        )
     order = np.argsort(s, kind="stable")
     twice = np.flatnonzero(np.diff(s[order]) < 1.0)
     for row in order[twice + 1]:
-        problems.append(error("preset-twice", axis.name, "two rows for one place of the axis",
-                              "delete one of them", position=f"preset row {row + 1}",
-                              value=float(s[row]), unit="mm"))
+        problems.append(
+            error(
+                "preset-twice",
+                axis.name,
+                "two rows for one place of the axis",
+                "delete one of them",
+                position=f"preset row {row + 1}",
+                value=float(s[row]),
+                unit="mm",
+            )
+        )
     if not len(s):
         problems.append(error("preset-empty", axis.name, "the preset has no rows", "add rows"))
     if problems:
@@ -93,9 +117,15 @@ def _checked(axis: Axis, preset: Preset):
     s, moves = np.clip(s[order], 0.0, axis.length), moves[order]
     findings = []
     if len(s) > 1 and not axis.closed and (s[0] > 1.0 or s[-1] < axis.length - 1.0):
-        findings.append(note("preset-held", axis.name,
-                             "the preset does not reach the axis's ends: its first and last "
-                             "displacement are held there", "add rows at the ends"))
+        findings.append(
+            note(
+                "preset-held",
+                axis.name,
+                "the preset does not reach the axis's ends: its first and last "
+                "displacement are held there",
+                "add rows at the ends",
+            )
+        )
     return s, moves, findings
 
 
@@ -104,8 +134,9 @@ def _law(s: np.ndarray, moves: np.ndarray, axis: Axis):
     if len(s) == 1:
         return lambda at: np.broadcast_to(moves[0], (len(at), 3))
     if axis.closed:
-        spline = CubicSpline(np.append(s, s[0] + axis.length), np.vstack([moves, moves[:1]]),
-                             bc_type="periodic")
+        spline = CubicSpline(
+            np.append(s, s[0] + axis.length), np.vstack([moves, moves[:1]]), bc_type="periodic"
+        )
         return lambda at: spline(s[0] + np.mod(at - s[0], axis.length))
     held = s[0] > 1.0, s[-1] < axis.length - 1.0
     if any(held):
@@ -117,8 +148,13 @@ def _law(s: np.ndarray, moves: np.ndarray, axis: Axis):
         else:
             degree = len(s)
             knots = np.repeat(s[[0, -1]], degree + 1)
-            spline = make_interp_spline(s, moves, k=degree, t=knots, bc_type=(
-                level if held[0] else None, level if held[1] else None))
+            spline = make_interp_spline(
+                s,
+                moves,
+                k=degree,
+                t=knots,
+                bc_type=(level if held[0] else None, level if held[1] else None),
+            )
     else:
         spline = make_interp_spline(s, moves, k=min(3, len(s) - 1))
     return lambda at: spline(np.clip(at, s[0], s[-1]))

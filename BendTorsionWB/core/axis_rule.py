@@ -76,10 +76,20 @@ def curve_by_rule(
     curve, miss = make(name, rule, surface)
     if miss <= RULE_TOLERANCE:
         return curve, surface, ()
-    return curve, surface, (
-        warning("axis-rule-tolerance", name, "the curve is followed less closely than asked",
-                "split the axis at the creases of the surface", value=miss, limit=RULE_TOLERANCE,
-                unit="mm"),
+    return (
+        curve,
+        surface,
+        (
+            warning(
+                "axis-rule-tolerance",
+                name,
+                "the curve is followed less closely than asked",
+                "split the axis at the creases of the surface",
+                value=miss,
+                limit=RULE_TOLERANCE,
+                unit="mm",
+            ),
+        ),
     )
 
 
@@ -107,8 +117,13 @@ def plane_section(name: str, rule: PlaneSection, surface: Surface) -> tuple[Curv
             if (squared < 1e-6).any():
                 bad = int(np.argmin(squared))
                 raise BendTorsionError(
-                    error("axis-rule-tangent", name, "the plane touches the surface there",
-                          "tilt or move the plane", position=place(points[bad]))
+                    error(
+                        "axis-rule-tangent",
+                        name,
+                        "the plane touches the surface there",
+                        "tilt or move the plane",
+                        position=place(points[bad]),
+                    )
                 )
             points = points - (foot.distance / squared)[:, None] * flat
             if np.abs(foot.distance).max() < 1e-9:
@@ -117,8 +132,13 @@ def plane_section(name: str, rule: PlaneSection, surface: Surface) -> tuple[Curv
         if (np.abs(foot.distance) > 1e-5).any() or foot.outside.any():
             bad = int(np.argmax(np.maximum(np.abs(foot.distance), 1e9 * foot.outside)))
             raise BendTorsionError(
-                error("axis-rule-leaves", name, "the section leaves the surface",
-                      "choose ends inside the surface's border", position=place(points[bad]))
+                error(
+                    "axis-rule-leaves",
+                    name,
+                    "the section leaves the surface",
+                    "choose ends inside the surface's border",
+                    position=place(points[bad]),
+                )
             )
         along = np.cross(axis, foot.normals)
         return points, along / np.linalg.norm(along, axis=1, keepdims=True)
@@ -126,9 +146,7 @@ def plane_section(name: str, rule: PlaneSection, surface: Surface) -> tuple[Curv
     start = _given(name, rule.start, "start", corrected)
     end = start if rule.closed else _given(name, rule.end, "end", corrected)
     trace = _traced(name, corrected, start, end, rule.closed)
-    parameters = np.concatenate(
-        [[0.0], np.cumsum(np.linalg.norm(np.diff(trace, axis=0), axis=1))]
-    )
+    parameters = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(trace, axis=0), axis=1))])
     # The points on the spline of the trace are corrected across it: smooth in the parameter.
     if rule.closed:
         guide = make_interp_spline(parameters, trace, k=5, bc_type="periodic")
@@ -143,16 +161,28 @@ def _given(name, point, which, corrected) -> np.ndarray:
     point = np.asarray(point if point is not None else np.full(3, np.nan), float)
     if point.shape != (3,) or not np.isfinite(point).all():
         raise BendTorsionError(
-            error("axis-rule-end", name, f"the {which} is no point", "give x, y, z in mm",
-                  position=which)
+            error(
+                "axis-rule-end",
+                name,
+                f"the {which} is no point",
+                "give x, y, z in mm",
+                position=which,
+            )
         )
     found = corrected(point[None])[0][0]
     away = float(np.linalg.norm(found - point))
     if away > ON_PLANE:
         raise BendTorsionError(
-            error("axis-rule-end", name, f"the {which} is far from the curve",
-                  "give a point near the plane and the surface", position=which, value=away,
-                  limit=ON_PLANE, unit="mm")
+            error(
+                "axis-rule-end",
+                name,
+                f"the {which} is far from the curve",
+                "give a point near the plane and the surface",
+                position=which,
+                value=away,
+                limit=ON_PLANE,
+                unit="mm",
+            )
         )
     return found
 
@@ -187,18 +217,30 @@ def _traced(name, corrected, start, end, closed) -> np.ndarray:
                     raise
                 del heads[way]
                 continue
-            if not closed and len(runs[way]) > 8 and (
-                np.linalg.norm(start - new) <= step and (start - new) @ ahead > 0
+            if (
+                not closed
+                and len(runs[way]) > 8
+                and (np.linalg.norm(start - new) <= step and (start - new) @ ahead > 0)
             ):
                 raise BendTorsionError(
-                    error("axis-rule-end", name, "start and end lie on different branches",
-                          "choose ends on one branch of the section", position=place(end))
+                    error(
+                        "axis-rule-end",
+                        name,
+                        "start and end lie on different branches",
+                        "choose ends on one branch of the section",
+                        position=place(end),
+                    )
                 )
             runs[way].append(new)
             heads[way] = new, ahead, step
     raise BendTorsionError(
-        error("axis-rule-end", name, "the section does not lead from the start to the end",
-              "choose ends on one branch of the section", position=place(end))
+        error(
+            "axis-rule-end",
+            name,
+            "the section does not lead from the start to the end",
+            "choose ends on one branch of the section",
+            position=place(end),
+        )
     )
 
 
@@ -221,14 +263,25 @@ def iso_curve(name: str, rule: IsoCurve, surface: Surface) -> Curve:
     patches = inner.patches if isinstance(inner, PatchSurface) else ()
     if isinstance(inner, Offset) or not 0 <= rule.patch < len(patches):
         raise BendTorsionError(
-            error("axis-rule-patch", name, "an iso-curve needs a patch of a NURBS surface",
-                  "choose a face of the surface, or a plane section", value=rule.patch,
-                  limit=len(patches))
+            error(
+                "axis-rule-patch",
+                name,
+                "an iso-curve needs a patch of a NURBS surface",
+                "choose a face of the surface, or a plane section",
+                value=rule.patch,
+                limit=len(patches),
+            )
         )
     if not (0 <= rule.at <= 1 and 0 <= rule.first < rule.last <= 1):
         raise BendTorsionError(
-            error("axis-rule-iso", name, "the iso-curve's parameters are not fractions 0..1",
-                  "give 0 <= first < last <= 1", value=rule.at, limit=1.0)
+            error(
+                "axis-rule-iso",
+                name,
+                "the iso-curve's parameters are not fractions 0..1",
+                "give 0 <= first < last <= 1",
+                value=rule.at,
+                limit=1.0,
+            )
         )
     patch: NurbsPatch = patches[rule.patch]
     weights = np.ones(patch.poles.shape[:2]) if patch.weights is None else patch.weights
@@ -240,8 +293,12 @@ def iso_curve(name: str, rule: IsoCurve, surface: Surface) -> Curve:
     degrees, knots = (patch.degree_u, patch.degree_v), (patch.knots_u, patch.knots_v)
     low, high = patch.domain[held]
     row = BSpline(knots[held], poles, degrees[held])(low + rule.at * (high - low))
-    curve = Curve(degrees[run], knots[run], row[:, :3] / row[:, 3:],
-                  None if np.ptp(row[:, 3]) == 0 else row[:, 3])
+    curve = Curve(
+        degrees[run],
+        knots[run],
+        row[:, :3] / row[:, 3:],
+        None if np.ptp(row[:, 3]) == 0 else row[:, 3],
+    )
     first, last = curve.domain
     return piece(curve, first + rule.first * (last - first), first + rule.last * (last - first))
 
@@ -263,16 +320,29 @@ def geodesic(name: str, rule: Geodesic, surface: Surface) -> tuple[Curve, float]
     if away.max() > ON_PLANE or foot.ambiguous.any():
         which = ("start", "end")[int(np.argmax(away))]
         raise BendTorsionError(
-            error("axis-rule-end", name, f"the {which} is far from the surface",
-                  "give a point near the surface", position=which, value=float(away.max()),
-                  limit=ON_PLANE, unit="mm")
+            error(
+                "axis-rule-end",
+                name,
+                f"the {which} is far from the surface",
+                "give a point near the surface",
+                position=which,
+                value=float(away.max()),
+                limit=ON_PLANE,
+                unit="mm",
+            )
         )
     ends = foot.points
     chord = float(np.linalg.norm(ends[1] - ends[0]))
     if chord < 1.0:
         raise BendTorsionError(
-            error("axis-rule-end", name, "start and end are one point", "move one of them",
-                  value=chord, unit="mm")
+            error(
+                "axis-rule-end",
+                name,
+                "start and end are one point",
+                "move one of them",
+                value=chord,
+                unit="mm",
+            )
         )
     count, before = 12, None
     points = ends[0] + np.linspace(0, 1, count + 1)[:, None] * (ends[1] - ends[0])
@@ -309,8 +379,13 @@ def _relaxed(name, surface, points, ends) -> np.ndarray:
         if foot.ambiguous[1:-1].any() or foot.outside.any():
             bad = int(np.argmax(foot.ambiguous | foot.outside))
             raise BendTorsionError(
-                error("axis-rule-leaves", name, "the geodesic leaves the surface or meets a crease",
-                      "choose nearer ends", position=place(points[bad]))
+                error(
+                    "axis-rule-leaves",
+                    name,
+                    "the geodesic leaves the surface or meets a crease",
+                    "choose nearer ends",
+                    position=place(points[bad]),
+                )
             )
         points = foot.points
         points[0], points[-1] = ends
@@ -321,11 +396,17 @@ def _relaxed(name, surface, points, ends) -> np.ndarray:
         bend = second @ points
         inner = slice(1, count)
         force = np.einsum("iaj,ij->ia", basis[inner], bend[inner])
-        turn = np.stack([
-            (surface.closest(points + delta * basis[:, a]).normals
-             - surface.closest(points - delta * basis[:, a]).normals) / (2 * delta)
-            for a in range(2)
-        ], axis=2)
+        turn = np.stack(
+            [
+                (
+                    surface.closest(points + delta * basis[:, a]).normals
+                    - surface.closest(points - delta * basis[:, a]).normals
+                )
+                / (2 * delta)
+                for a in range(2)
+            ],
+            axis=2,
+        )
         matrix = np.einsum("iaj,ik,kbj->iakb", basis[inner], second[inner, inner], basis[inner])
         pressure = (bend * n).sum(axis=1)
         local = np.einsum("iaj,ijb->iab", basis, turn) * pressure[:, None, None]
@@ -341,8 +422,14 @@ def _relaxed(name, surface, points, ends) -> np.ndarray:
             break
     else:
         raise BendTorsionError(
-            error("axis-rule-geodesic", name, "no geodesic was found from the chord",
-                  "choose nearer ends, or go by an intermediate point", value=largest, unit="mm")
+            error(
+                "axis-rule-geodesic",
+                name,
+                "no geodesic was found from the chord",
+                "choose nearer ends, or go by an intermediate point",
+                value=largest,
+                unit="mm",
+            )
         )
     return surface.closest(points).points
 

@@ -26,8 +26,14 @@ class AxisSource:
 
     def into(self, given: AxisInput) -> AxisInput:
         """The axis input with this source in place of its own."""
-        return replace(given, curve=self.curve, segments=self.segments, points=self.points,
-                       rule=None, order="given" if self.points is None else "nearest")
+        return replace(
+            given,
+            curve=self.curve,
+            segments=self.segments,
+            points=self.points,
+            rule=None,
+            order="given" if self.points is None else "nearest",
+        )
 
 
 def axis_source(
@@ -51,8 +57,12 @@ def axis_source(
     if len(points):
         return AxisSource(name, points=np.asarray(points, float), findings=findings)
     raise BendTorsionError(
-        error("axis-source-empty", name, "no curve, line or point bears this name",
-              "name a layer or object that holds the axis")
+        error(
+            "axis-source-empty",
+            name,
+            "no curve, line or point bears this name",
+            "name a layer or object that holds the axis",
+        )
     )
 
 
@@ -67,8 +77,13 @@ def found_source(name: str, sources: dict[str, AxisSource], file: str) -> AxisSo
         return exact or alike[0]
     known = ", ".join(list(sources)[:12]) or "none"
     raise BendTorsionError(
-        error("axis-source-name", file, f"no curve named {name!r} in the file", f"use {known}",
-              position=name)
+        error(
+            "axis-source-name",
+            file,
+            f"no curve named {name!r} in the file",
+            f"use {known}",
+            position=name,
+        )
     )
 
 

@@ -40,14 +40,20 @@ class Curve:
         if self.weights is None:
             spline = BSpline(self.knots, self.poles, self.degree)
             return [
-                spline(u) if k == 0 else spline.derivative(k)(u) if k <= self.degree
+                spline(u)
+                if k == 0
+                else spline.derivative(k)(u)
+                if k <= self.degree
                 else np.zeros((len(u), 3))
                 for k in range(order + 1)
             ]
         homogeneous = np.column_stack([self.poles * self.weights[:, None], self.weights])
         spline = BSpline(self.knots, homogeneous, self.degree)
         parts = [
-            spline(u) if k == 0 else spline.derivative(k)(u) if k <= self.degree
+            spline(u)
+            if k == 0
+            else spline.derivative(k)(u)
+            if k <= self.degree
             else np.zeros((len(u), 4))
             for k in range(order + 1)
         ]

@@ -27,9 +27,9 @@ def piece(curve: Curve, first: float, last: float, degree: int | None = None) ->
     inner, counts = np.unique(curve.knots, return_counts=True)
     inside = (inner > first) & (inner < last)
     repeats = np.minimum(counts[inside] + degree - curve.degree, degree)
-    knots = np.concatenate([
-        np.full(degree + 1, first), np.repeat(inner[inside], repeats), np.full(degree + 1, last)
-    ])
+    knots = np.concatenate(
+        [np.full(degree + 1, first), np.repeat(inner[inside], repeats), np.full(degree + 1, last)]
+    )
     at = np.array([knots[k + 1 : k + degree + 1].mean() for k in range(len(knots) - degree - 1)])
     at[0], at[-1] = first, last
     weights = np.ones(len(curve.poles)) if curve.weights is None else curve.weights
@@ -75,8 +75,12 @@ def joined(curves: list[Curve]) -> Curve:
         poles.append(part.poles if k == 0 else part.poles[1:])
         weights.append(weight if k == 0 else weight[1:])
     all_weights = np.concatenate(weights)
-    return Curve(degree, np.concatenate(knots), np.concatenate(poles),
-                 None if np.ptp(all_weights) == 0 else all_weights)
+    return Curve(
+        degree,
+        np.concatenate(knots),
+        np.concatenate(poles),
+        None if np.ptp(all_weights) == 0 else all_weights,
+    )
 
 
 def arc_length(curve: Curve) -> Piecewise:
@@ -141,9 +145,7 @@ def kinks(curve: Curve) -> tuple[np.ndarray, np.ndarray]:
     # One-sided tangents: each smooth piece by itself.
     edges = np.concatenate([[first], at, [last]])
     parts = [piece(curve, a, b) for a, b in zip(edges[:-1], edges[1:], strict=True)]
-    ends = np.array([
-        part.evaluate(np.array(part.domain), 1)[1] for part in parts
-    ])
+    ends = np.array([part.evaluate(np.array(part.domain), 1)[1] for part in parts])
     ends /= np.linalg.norm(ends, axis=2, keepdims=True)
     sine = np.linalg.norm(np.cross(ends[:-1, 1], ends[1:, 0]), axis=1)
     return at, np.arctan2(sine, (ends[:-1, 1] * ends[1:, 0]).sum(axis=1))

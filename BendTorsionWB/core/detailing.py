@@ -160,14 +160,17 @@ def _plate_skins(plates: Sequence[Plate]) -> list[tuple[SkinPiece, ...]]:
     pending, tolerance = list(range(len(plates))), tolerances.SKIN_CORNER
     while pending:
         groups = [plates[i].rails for i in pending]
-        made = _in_ring_order(skins(
-            [((r.outer, r.inner), (r.outer_folds, r.inner_folds)) for r in groups],
-            tolerance=tolerance,
-        ))
+        made = _in_ring_order(
+            skins(
+                [((r.outer, r.inner), (r.outer_folds, r.inner_folds)) for r in groups],
+                tolerance=tolerance,
+            )
+        )
         done.update(zip(pending, made, strict=True))
         tolerance /= 16.0
         pending = [
-            i for i, volume in zip(pending, skin_volumes(made), strict=True)
+            i
+            for i, volume in zip(pending, skin_volumes(made), strict=True)
             if abs(volume / plates[i].volume - 1.0) > 0.25 * tolerances.VOLUME_RELATIVE
             and tolerance > tolerances.INTERPOLATION_RELATIVE * 1e6
         ]
@@ -191,12 +194,19 @@ def member_skins(geometry: MemberGeometry) -> Skins:
     edges = [0.0, *member.law.joints, member.length]
     rails = rails_between(
         member,
-        [(k, a, b) for k in range(len(member.law.strips))
-         for a, b in zip(edges[:-1], edges[1:], strict=True)],
+        [
+            (k, a, b)
+            for k in range(len(member.law.strips))
+            for a, b in zip(edges[:-1], edges[1:], strict=True)
+        ],
     )
-    return Skins(tuple(_in_ring_order(
-        skins([((r.outer, r.inner), (r.outer_folds, r.inner_folds)) for r in rails])
-    )))
+    return Skins(
+        tuple(
+            _in_ring_order(
+                skins([((r.outer, r.inner), (r.outer_folds, r.inner_folds)) for r in rails])
+            )
+        )
+    )
 
 
 def _corner_tubes(member: Member) -> tuple[tuple[SkinPiece, ...], ...]:
@@ -205,10 +215,16 @@ def _corner_tubes(member: Member) -> tuple[tuple[SkinPiece, ...], ...]:
     edges = [0.0, *_steps(member), member.length]
     cells = member.law.cells
     # Smooth transitions have no folds, but their curvature begins and ends abruptly.
-    folds = sorted({*member.law.folds, *(
-        after.start for before, after in zip(cells, cells[1:], strict=False)
-        if before.corner_bends is not None or after.corner_bends is not None
-    )})
+    folds = sorted(
+        {
+            *member.law.folds,
+            *(
+                after.start
+                for before, after in zip(cells, cells[1:], strict=False)
+                if before.corner_bends is not None or after.corner_bends is not None
+            ),
+        }
+    )
     return tuple(
         skin((member.corners(a, b),), (tuple(f for f in folds if a < f < b),))
         for a, b in zip(edges[:-1], edges[1:], strict=True)
@@ -269,8 +285,15 @@ def _beyond_stock(plate: DevelopedPlate, rules: JointRules | None) -> list[Findi
     if rules is None:
         return []
     return [
-        warning("beyond-stock", plate.mark, f"the pattern is {what} than the stock", mend,
-                value=size, limit=limit, unit="mm")
+        warning(
+            "beyond-stock",
+            plate.mark,
+            f"the pattern is {what} than the stock",
+            mend,
+            value=size,
+            limit=limit,
+            unit="mm",
+        )
         for what, size, limit, mend in (
             ("longer", plate.length, rules.longest_piece, "give it a joint, or order longer stock"),
             ("wider", plate.width, rules.widest_piece, "give it a joint, or order wider stock"),

@@ -356,8 +356,9 @@ def _shape(value: np.ndarray, rate: np.ndarray, bend: np.ndarray, w: np.ndarray)
     normal = crossed(tangent, ruling)
     area = np.sqrt((normal * normal).sum(axis=2))
     normal = normal / area[..., None]
-    e, f, g = ((a * b).sum(axis=2) for a, b in
-               ((tangent, tangent), (tangent, ruling), (ruling, ruling)))
+    e, f, g = (
+        (a * b).sum(axis=2) for a, b in ((tangent, tangent), (tangent, ruling), (ruling, ruling))
+    )
     bent, mixed = (second * normal).sum(axis=2), (twist * normal).sum(axis=2)
     gauss = -((mixed / area) ** 2)
     mean = (bent * g - 2 * mixed * f) / (2 * area**2)

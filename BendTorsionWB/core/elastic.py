@@ -191,8 +191,13 @@ def _fields(development: Development, spline: _Spline) -> _Fields:
     area = square * width[:, None] * 0.5 * weights_w * (half[:, None] * weights).reshape(-1, 1)
     shape = (n, q * k, -1)
     return _Fields(
-        s.ravel(), w, one.reshape(shape), two.reshape(shape), flat_one.reshape(shape),
-        flat_two.reshape(shape), area.reshape(n, -1),
+        s.ravel(),
+        w,
+        one.reshape(shape),
+        two.reshape(shape),
+        flat_one.reshape(shape),
+        flat_two.reshape(shape),
+        area.reshape(n, -1),
     )
 
 

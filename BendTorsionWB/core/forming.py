@@ -244,8 +244,10 @@ def roll_lines(development: Development, places: np.ndarray) -> tuple[RollLine, 
 
 def _radius_about(development: Development, s: np.ndarray, w: np.ndarray) -> np.ndarray:
     sharpest = np.array(
-        [shape_of(development.surface, s[i : i + 1], w[i : i + 1]).sharpest[0, 0]
-         for i in range(len(s))]
+        [
+            shape_of(development.surface, s[i : i + 1], w[i : i + 1]).sharpest[0, 0]
+            for i in range(len(s))
+        ]
     )
     return np.where(sharpest > 1e-12, 1.0 / np.maximum(sharpest, 1e-12), np.inf)
 

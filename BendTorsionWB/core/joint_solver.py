@@ -89,10 +89,14 @@ def solve_run(
         if widest > rules.widest_piece:
             raise BendTorsionError(
                 error(
-                    "stock-too-narrow", member, "the stock is narrower than the face",
+                    "stock-too-narrow",
+                    member,
+                    "the stock is narrower than the face",
                     "use wider stock, or a smaller section",
                     position=f"face {run.face}, s = {run.s[int(np.argmax(run.width))]:.0f} mm",
-                    value=widest, limit=rules.widest_piece, unit="mm",
+                    value=widest,
+                    limit=rules.widest_piece,
+                    unit="mm",
                 )
             )
     found = _solved(runs, rules, folds, forced)
@@ -123,8 +127,9 @@ def _solved(
 
 def _grid(start: float, end: float, step: float) -> np.ndarray:
     inner = step * np.arange(np.ceil(start / step), np.floor(end / step) + 1)
-    inner = inner[(inner > start + tolerances.SHORTEST_PLATE)
-                  & (inner < end - tolerances.SHORTEST_PLATE)]
+    inner = inner[
+        (inner > start + tolerances.SHORTEST_PLATE) & (inner < end - tolerances.SHORTEST_PLATE)
+    ]
     return np.concatenate([[start], inner, [end]])
 
 
@@ -191,10 +196,12 @@ def _pieces(faces: Sequence[FaceRun], rules: JointRules, count: int) -> np.ndarr
         longest, shortest = lengths.max(axis=0), lengths.min(axis=0)
         # A strip bowed in the plane needs width: the sagitta of its centre line.
         bow = longest * np.abs(run.turn[None, :] - run.turn[:, None]) / 8.0
-        width = np.stack([
-            np.concatenate([np.zeros(i), np.maximum.accumulate(run.width[i:])])
-            for i in range(count)
-        ])
+        width = np.stack(
+            [
+                np.concatenate([np.zeros(i), np.maximum.accumulate(run.width[i:])])
+                for i in range(count)
+            ]
+        )
         slack = tolerances.SAME_STATION
         good &= longest <= rules.longest_piece + slack
         good &= width + bow <= rules.widest_piece + slack
@@ -276,13 +283,21 @@ def _why_not(
             for face, places in proposal.items()
         )
         return error(
-            "joints-infeasible", member, f"no joints keep the rule: {MEANING[name]}",
+            "joints-infeasible",
+            member,
+            f"no joints keep the rule: {MEANING[name]}",
             f"nearest: {MEANING[name]} {loose:.0f} mm with joints {joints} mm; or use other stock",
-            position=position, value=float(round(loose)), limit=getattr(rules, name), unit="mm",
+            position=position,
+            value=float(round(loose)),
+            limit=getattr(rules, name),
+            unit="mm",
         )
     return error(
-        "joints-infeasible", member, "no joints keep the rules, and no single rule is to blame",
-        "use longer stock, or give the joints", position=position,
+        "joints-infeasible",
+        member,
+        "no joints keep the rules, and no single rule is to blame",
+        "use longer stock, or give the joints",
+        position=position,
     )
 
 
@@ -346,7 +361,5 @@ def _face_runs(
         heading = np.unwrap(np.arctan2(by_s[:, 1].copy(), by_s[:, 0].copy()))
         turn = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(heading)))])
         width = development.plane(s)[:, 3].copy()
-        runs.append(
-            FaceRun(strip.face, neighbours[strip.face], s, along.T.copy(), width, turn)
-        )
+        runs.append(FaceRun(strip.face, neighbours[strip.face], s, along.T.copy(), width, turn))
     return runs

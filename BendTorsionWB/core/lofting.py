@@ -31,7 +31,7 @@ class StationLine:
 
 @dataclass(frozen=True, eq=False)
 class FoldLine:
-    """A ruling along which the plate is folded. angle: rad, positive folds the outer face convex."""
+    """A ruling the plate is folded along. angle: rad, positive where the outer face is convex."""
 
     label: str
     s: float
@@ -83,8 +83,8 @@ class DevelopedPlate:
     frame. Lengths mm, area mm2, mass kg; length_error_* compare flat with formed lengths of
     edges, lines and geodesic diagonals on the flattened surface; length_error_bound is the proven
     lower bound of length_error_max for any flat pattern. strain_max is the largest principal
-    strain of flattening. locked_in_stress: MPa. bending_radius_min: mm. in_transition: the plate lies, in part
-    or whole, in a transition zone.
+    strain of flattening. locked_in_stress: MPa. bending_radius_min: mm. in_transition: the plate
+    lies, in part or whole, in a transition zone.
     """
 
     member: str

@@ -49,10 +49,13 @@ class NurbsPatch:
     @cached_property
     def domain(self) -> np.ndarray:
         """[[first u, last u], [first v, last v]]."""
-        return np.array([
-            [self.knots_u[self.degree_u], self.knots_u[-self.degree_u - 1]],
-            [self.knots_v[self.degree_v], self.knots_v[-self.degree_v - 1]],
-        ], float)
+        return np.array(
+            [
+                [self.knots_u[self.degree_u], self.knots_u[-self.degree_u - 1]],
+                [self.knots_v[self.degree_v], self.knots_v[-self.degree_v - 1]],
+            ],
+            float,
+        )
 
     @cached_property
     def size(self) -> float:
@@ -67,9 +70,7 @@ class NurbsPatch:
         ends_u = [self.evaluate(np.full(9, u), along_v)[0] for u in (u0, u1)]
         ends_v = [self.evaluate(along_u, np.full(9, v))[0] for v in (v0, v1)]
         near = COINCIDENT * self.size
-        return tuple(
-            bool(np.abs(first - last).max() <= near) for first, last in (ends_u, ends_v)
-        )
+        return tuple(bool(np.abs(first - last).max() <= near) for first, last in (ends_u, ends_v))
 
     @cached_property
     def degenerate(self) -> np.ndarray:
@@ -100,8 +101,14 @@ class NurbsPatch:
         w = grid[..., 3:]
         s = grid[:, 0, 0, :3] / w[:, 0, 0]
         if self.weights is None:
-            return (s, grid[:, 1, 0, :3], grid[:, 0, 1, :3], grid[:, 2, 0, :3],
-                    grid[:, 1, 1, :3], grid[:, 0, 2, :3])
+            return (
+                s,
+                grid[:, 1, 0, :3],
+                grid[:, 0, 1, :3],
+                grid[:, 2, 0, :3],
+                grid[:, 1, 1, :3],
+                grid[:, 0, 2, :3],
+            )
         w00, w10, w01 = w[:, 0, 0], w[:, 1, 0], w[:, 0, 1]
         su = (grid[:, 1, 0, :3] - w10 * s) / w00
         sv = (grid[:, 0, 1, :3] - w01 * s) / w00
@@ -307,10 +314,14 @@ class NurbsPatch:
             if self.closed[k]:
                 extent = np.ptp(self.domain[k])
                 moved[:, k] -= extent * np.round(moved[:, k] / extent)
-        step = np.sqrt(np.maximum(
-            metric[0] * moved[:, 0] ** 2
-            + 2 * metric[1] * moved[:, 0] * moved[:, 1]
-            + metric[2] * moved[:, 1] ** 2, 0.0))
+        step = np.sqrt(
+            np.maximum(
+                metric[0] * moved[:, 0] ** 2
+                + 2 * metric[1] * moved[:, 0] * moved[:, 1]
+                + metric[2] * moved[:, 1] ** 2,
+                0.0,
+            )
+        )
         turn = np.abs(moved / np.ptp(self.domain, axis=1)).max(1)
         turn[nearing.any(1)] = 1.0
         return target, step, turn, whole
@@ -333,14 +344,14 @@ class NurbsPatch:
 
 def _quadratic(data, residual):
     """First fundamental form, Hessian and gradient of half the squared distance."""
+
     def dot(a, b):
         return np.einsum("ij,ij->i", a, b)
 
     _, su, sv, suu, suv, svv = data
     metric = dot(su, su), dot(su, sv), dot(sv, sv)
     hessian = tuple(
-        first + dot(second, residual)
-        for first, second in zip(metric, (suu, suv, svv), strict=True)
+        first + dot(second, residual) for first, second in zip(metric, (suu, suv, svv), strict=True)
     )
     return metric, hessian, (dot(su, residual), dot(sv, residual))
 
@@ -382,9 +393,7 @@ def _basis(knots: np.ndarray, degree: int, u: np.ndarray) -> tuple[np.ndarray, n
 
 def _shares(values: list[np.ndarray], near: list[np.ndarray], degree: int, p: int):
     """Values of degree p - 1 over the lengths of their supports."""
-    return [
-        value / (near[degree + k] - near[degree - p + k]) for k, value in enumerate(values)
-    ]
+    return [value / (near[degree + k] - near[degree - p + k]) for k, value in enumerate(values)]
 
 
 def _cells(knots: np.ndarray, degree: int) -> tuple[np.ndarray, np.ndarray]:
@@ -393,7 +402,8 @@ def _cells(knots: np.ndarray, degree: int) -> tuple[np.ndarray, np.ndarray]:
     breaks = np.unique(np.concatenate([[first], knots[(knots > first) & (knots < last)], [last]]))
     spans = len(breaks) - 1
     pieces = max(int(np.ceil(8 / spans)), 2 * degree if spans < 8 else degree)
-    edges = np.concatenate([
-        np.linspace(breaks[k], breaks[k + 1], pieces, endpoint=False) for k in range(spans)
-    ] + [[last]])
+    edges = np.concatenate(
+        [np.linspace(breaks[k], breaks[k + 1], pieces, endpoint=False) for k in range(spans)]
+        + [[last]]
+    )
     return (edges[1:] + edges[:-1]) / 2, np.diff(edges) / 2

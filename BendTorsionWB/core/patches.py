@@ -121,8 +121,16 @@ class PatchSurface(Surface):
                     continue
                 spacing = np.linalg.norm(np.gradient(points, axis=0), axis=1)
                 sound = np.linalg.norm(along, axis=1) > 0
-                parts.append((np.full(sound.sum(), k), points[sound], along[sound], into[sound],
-                              normals[sound], spacing[sound]))
+                parts.append(
+                    (
+                        np.full(sound.sum(), k),
+                        points[sound],
+                        along[sound],
+                        into[sound],
+                        normals[sound],
+                        spacing[sound],
+                    )
+                )
         if not parts:
             empty = np.zeros((0, 3))
             return np.zeros(0, int), empty, empty, empty, empty, np.zeros(0)
@@ -182,8 +190,10 @@ class PatchSurface(Surface):
     @cached_property
     def _cells(self) -> tuple[np.ndarray, ...]:
         """Of each start's cell: two directions, half widths along them, and a margin."""
-        return tuple(np.concatenate(part) for part in zip(
-            *(_flat_cells(patch) for patch in self.patches), strict=True))
+        return tuple(
+            np.concatenate(part)
+            for part in zip(*(_flat_cells(patch) for patch in self.patches), strict=True)
+        )
 
     def _may_hold(self, points, starts, distance) -> np.ndarray:
         """Whether the cells of `starts` may hold points nearer than `distance`: by the distance to

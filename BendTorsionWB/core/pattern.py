@@ -177,10 +177,7 @@ def _outline_in_plane(development: Development, plate: Plate) -> list[np.ndarray
     probes = _along(development, [(a, b, w, 33) for a, b, w in spans])
     runs = _along(
         development,
-        [
-            (*span, _chord_count(points) + 1)
-            for span, points in zip(spans, probes, strict=True)
-        ],
+        [(*span, _chord_count(points) + 1) for span, points in zip(spans, probes, strict=True)],
     )
     forth, back = runs[: len(edges) - 1], [run[::-1] for run in reversed(runs[len(edges) - 1 :])]
     ends = (plate.end, plate.start)
@@ -365,9 +362,7 @@ def _bound(
 
 def _placing_frames(across: _LinesAcross) -> tuple[np.ndarray, np.ndarray]:
     """Model -> placing and flat -> placing, (4, 4) each (paper's Orient on the outer face)."""
-    outer, inner, flat = (
-        values[[0, -1]] for values in (across.outer, across.inner, across.flat)
-    )
+    outer, inner, flat = (values[[0, -1]] for values in (across.outer, across.inner, across.flat))
     lengths = np.linalg.norm(outer[:, 1] - outer[:, 0], axis=1)
     start, other = (1, 0) if lengths[1] < lengths[0] - 0.01 else (0, 1)
     origin, x = outer[start, 0], outer[start, 1] - outer[start, 0]

@@ -241,9 +241,7 @@ def _check_lengths(member: Member, cuts: dict[str, np.ndarray], findings: list[F
 
 def _neighbours(one: Strip, other: Strip) -> bool:
     """True for strips with a corner in common, and where one stops at the other."""
-    stops = [
-        (a.stops_at_first, a.stops_at_second, b.face) for a, b in ((one, other), (other, one))
-    ]
+    stops = [(a.stops_at_first, a.stops_at_second, b.face) for a, b in ((one, other), (other, one))]
     return bool({one.first, one.second} & {other.first, other.second}) or any(
         stop is not None and stop.face == face for *both, face in stops for stop in both
     )
@@ -301,9 +299,7 @@ def _check_rules(member: Member, cuts: dict[str, np.ndarray], rules: JointRules)
     return findings
 
 
-def _beside_folds(
-    member: Member, cuts: dict[str, np.ndarray], rules: JointRules
-) -> list[Finding]:
+def _beside_folds(member: Member, cuts: dict[str, np.ndarray], rules: JointRules) -> list[Finding]:
     """Warnings for joints too close beside a fold; a joint on the fold is none."""
     findings = []
     folds = np.array(member.law.folds)

@@ -43,8 +43,12 @@ def load(pack: str) -> dict[str, dict]:
         return json.loads(path.read_text(encoding="utf-8"))["rules"]
     except (OSError, ValueError, KeyError) as problem:
         raise BendTorsionError(
-            error("rule-pack", path.name, f"cannot read the rule pack: {problem}",
-                  f"use one of {', '.join(PACKS)}, or mend the file")
+            error(
+                "rule-pack",
+                path.name,
+                f"cannot read the rule pack: {problem}",
+                f"use one of {', '.join(PACKS)}, or mend the file",
+            )
         ) from problem
 
 
@@ -59,8 +63,13 @@ def rule(pack: str, name: str) -> Rule:
         return made
     except (KeyError, TypeError, ValueError) as problem:
         raise BendTorsionError(
-            error("rule-pack", f"{pack}.json", f"a rule is missing or not a number: {problem}",
-                  "mend the file", position=name)
+            error(
+                "rule-pack",
+                f"{pack}.json",
+                f"a rule is missing or not a number: {problem}",
+                "mend the file",
+                position=name,
+            )
         ) from problem
 
 
@@ -77,8 +86,13 @@ def joint_rules(pack: str) -> JointRules:
 
 def forming_rules(pack: str) -> FormingRules:
     """The limits of the forming classes."""
-    names = ("flat_within", "elastic_stress", "cold_radius_low_alloy", "cold_radius_mild",
-             "mild_up_to")
+    names = (
+        "flat_within",
+        "elastic_stress",
+        "cold_radius_low_alloy",
+        "cold_radius_mild",
+        "mild_up_to",
+    )
     return FormingRules(
         **{name: rule(pack, name).value for name in names},
         fold_without_press=math.radians(rule(pack, "fold_without_press").value),

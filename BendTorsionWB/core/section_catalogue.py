@@ -38,9 +38,13 @@ def entries(file: Path = FILE) -> tuple[CatalogueEntry, ...]:
     try:
         rows = json.loads(file.read_text(encoding="utf-8"))["sections"]
         found = tuple(
-            CatalogueEntry(row["name"], row["type"],
-                           {key: float(value) for key, value in row["sizes"].items()},
-                           row["source"], row["status"])
+            CatalogueEntry(
+                row["name"],
+                row["type"],
+                {key: float(value) for key, value in row["sizes"].items()},
+                row["source"],
+                row["status"],
+            )
             for row in rows
         )
         unknown = {key for entry in found for key in entry.sizes} - set(SIZES)
@@ -48,17 +52,22 @@ def entries(file: Path = FILE) -> tuple[CatalogueEntry, ...]:
             raise ValueError(f"unknown sizes {', '.join(sorted(unknown))}")
         return found
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as problem:
-        raise BendTorsionError(error(
-            "catalogue", file.name, f"cannot read the catalogue: {problem}", "mend the file"
-        )) from problem
+        raise BendTorsionError(
+            error("catalogue", file.name, f"cannot read the catalogue: {problem}", "mend the file")
+        ) from problem
 
 
 def entry(name: str) -> CatalogueEntry:
     """One section by name; raises BendTorsionError when there is none."""
     found = {one.name: one for one in entries()}
     if name not in found:
-        raise BendTorsionError(error(
-            "catalogue-section", name, "the catalogue has no such section",
-            f"use one of {', '.join(found)}", value=name,
-        ))
+        raise BendTorsionError(
+            error(
+                "catalogue-section",
+                name,
+                "the catalogue has no such section",
+                f"use one of {', '.join(found)}",
+                value=name,
+            )
+        )
     return found[name]

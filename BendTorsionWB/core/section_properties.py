@@ -64,7 +64,14 @@ def section_properties(section: Section) -> SectionProperties:
     angle = 0.5 * float(np.arctan2(-2.0 * iyz, iy - iz)) if half > 1e-12 * middle else 0.0
     angle += np.pi if angle < 1e-9 - np.pi / 2 else 0.0
     return SectionProperties(
-        area, (cy, cz), iy, iz, iyz, middle + half, middle - half, angle,
+        area,
+        (cy, cz),
+        iy,
+        iz,
+        iyz,
+        middle + half,
+        middle - half,
+        angle,
         _bredt(section) if section.closed else _open_torsion(section, plates),
         area * section.material.density,
         _painted(section, plates),
@@ -82,8 +89,9 @@ def _bredt(section: Section) -> float:
         one, other = (middle[i : i + 1] for i in here)
         ring.append(crossing(one, other)[0])
         ahead = (corner + 1) % len(section.corners)
-        thickness.append(next(s.thickness for s in section.strips
-                              if {corner, ahead} == {s.first, s.second}))
+        thickness.append(
+            next(s.thickness for s in section.strips if {corner, ahead} == {s.first, s.second})
+        )
     ring = np.array(ring)
     following = np.roll(ring, -1, axis=0)
     enclosed = 0.5 * (ring[:, 0] * following[:, 1] - ring[:, 1] * following[:, 0]).sum()
@@ -150,7 +158,8 @@ def flat_parts(section: Section) -> tuple[FlatPart, ...]:
         pieces.append(("outstand", width - supports[-1][1]))
         parts += [
             FlatPart(strip.face, kind, float(clear), strip.thickness)
-            for kind, clear in pieces if clear > strip.thickness
+            for kind, clear in pieces
+            if clear > strip.thickness
         ]
     return tuple(parts)
 

@@ -43,8 +43,12 @@ def i_section(
     _sized(name, h=h, b=b, b_bottom=b_bottom, t_top=t_top, t_bottom=t_bottom, t_web=t_web)
     _thin(name, h, min(b, b_bottom), t_top, t_bottom, t_web)
     corners = (
-        (b / 2, h / 2), (-b / 2, h / 2), (-b_bottom / 2, -h / 2), (b_bottom / 2, -h / 2),
-        (0.0, h / 2), (0.0, -h / 2),
+        (b / 2, h / 2),
+        (-b / 2, h / 2),
+        (-b_bottom / 2, -h / 2),
+        (b_bottom / 2, -h / 2),
+        (0.0, h / 2),
+        (0.0, -h / 2),
     )
     strips = (
         Strip("top", "T", 0, 1, t_top, 1, _ACROSS),
@@ -167,10 +171,16 @@ def polygon(
     points = np.asarray(corners, float)
     count = len(points)
     if points.ndim != 2 or points.shape[1] != 2 or not 3 <= count <= len(ascii_uppercase):
-        raise BendTorsionError(error(
-            "section-corners", name, "a polygonal box needs 3 to 26 corners (y, z)",
-            "give a corner per plate", value=count, limit="3 to 26",
-        ))
+        raise BendTorsionError(
+            error(
+                "section-corners",
+                name,
+                "a polygonal box needs 3 to 26 corners (y, z)",
+                "give a corner per plate",
+                value=count,
+                limit="3 to 26",
+            )
+        )
     if joint not in ("mitre", "ring"):
         raise BendTorsionError(_unknown(name, "joint", joint, ("mitre", "ring")))
     sizes = np.broadcast_to(np.asarray(thickness, float), (count,)).tolist()
@@ -182,13 +192,22 @@ def polygon(
     for k, face in enumerate(faces):
         before, after = faces[k - 1], faces[(k + 1) % count]
         stops = (
-            (Stop(before, gap, "mitre"), Stop(after, gap, "mitre")) if joint == "mitre"
+            (Stop(before, gap, "mitre"), Stop(after, gap, "mitre"))
+            if joint == "mitre"
             else (Stop(before, gap), Stop(after, 0.0, "outer"))
         )
-        strips.append(Strip(
-            face, ascii_uppercase[k], k, (k + 1) % count, sizes[k], 1 if area > 0 else -1,
-            (before, after), *stops,
-        ))
+        strips.append(
+            Strip(
+                face,
+                ascii_uppercase[k],
+                k,
+                (k + 1) % count,
+                sizes[k],
+                1 if area > 0 else -1,
+                (before, after),
+                *stops,
+            )
+        )
     names = tuple(f"C{k + 1}" for k in range(count))
     return _centred(name, "polygon", points, names, strips, material, True)
 
@@ -237,20 +256,32 @@ def strip_list(name: str, rows: Sequence[StripRow], material: Material = STEEL) 
         if row.side not in SIDES:
             findings.append(replace(_unknown(name, "side", row.side, SIDES), position=place))
         if not row.face or faces.count(row.face) > 1 or letters.count(row.letter) > 1:
-            findings.append(error(
-                "strip-name", name, "two strips have the same face or letter, or one has none",
-                "give each strip its own", position=place, value=f"{row.face} {row.letter}",
-            ))
+            findings.append(
+                error(
+                    "strip-name",
+                    name,
+                    "two strips have the same face or letter, or one has none",
+                    "give each strip its own",
+                    position=place,
+                    value=f"{row.face} {row.letter}",
+                )
+            )
         stops = []
         for text, far in ((row.stop1, (row.y2, row.z2)), (row.stop2, (row.y1, row.z1))):
             try:
                 stops.append(_stop(text, [other for other in rows if other is not row], far))
             except ValueError as problem:
-                findings.append(error(
-                    "strip-stop", name, str(problem),
-                    "write a face of the list, then outer or mitre if not its inner face, then a "
-                    "gap in mm", position=place, value=text,
-                ))
+                findings.append(
+                    error(
+                        "strip-stop",
+                        name,
+                        str(problem),
+                        "write a face of the list, then outer or mitre if not its inner face, then "
+                        "a gap in mm",
+                        position=place,
+                        value=text,
+                    )
+                )
         ends = []
         for end in ((float(row.y1), float(row.z1)), (float(row.y2), float(row.z2))):
             if end not in points:
@@ -258,13 +289,14 @@ def strip_list(name: str, rows: Sequence[StripRow], material: Material = STEEL) 
             ends.append(points.index(end))
         if row.side in SIDES and len(stops) == 2:
             inward, line = SIDES[row.side]
-            strips.append(Strip(
-                row.face, row.letter, *ends, row.t, inward, ("first", "second"), *stops, line
-            ))
+            strips.append(
+                Strip(row.face, row.letter, *ends, row.t, inward, ("first", "second"), *stops, line)
+            )
     if findings or not strips:
-        raise BendTorsionError(findings or error(
-            "section-strips", name, "the section has no strips", "add a row per plate"
-        ))
+        raise BendTorsionError(
+            findings
+            or error("section-strips", name, "the section has no strips", "add a row per plate")
+        )
     _sized(name, **{f"t of {row.face}": row.t for row in rows})
     names = tuple(f"C{k + 1}" for k in range(len(points)))
     return _centred(name, "strips", np.array(points), names, strips, material, False)
@@ -303,8 +335,15 @@ def _centred(name, kind, points, names, strips, material, closed) -> Section:
 def _sized(name: str, **sizes: float) -> None:
     """Raises BendTorsionError for sizes that are no positive lengths."""
     findings = [
-        error("section-size", name, f"{key} must be a positive length", f"give {key} in mm",
-              value=float(value), limit=0.0, unit="mm")
+        error(
+            "section-size",
+            name,
+            f"{key} must be a positive length",
+            f"give {key} in mm",
+            value=float(value),
+            limit=0.0,
+            unit="mm",
+        )
         for key, value in sizes.items()
         if not (np.isfinite(value) and value > 0)
     ]
@@ -315,10 +354,20 @@ def _sized(name: str, **sizes: float) -> None:
 def _thin(name: str, h: float, b: float, t_top: float, t_bottom: float, t_web: float) -> None:
     """Raises BendTorsionError for plates that fill half the section or more."""
     findings = [
-        error("plate-too-thick", name, f"{key} fills half the section or more",
-              f"make {key} thinner or {of} larger", value=float(t), limit=size / 2, unit="mm")
-        for key, t, size, of in (("t_top", t_top, h, "h"), ("t_bottom", t_bottom, h, "h"),
-                                 ("t_web", t_web, b, "b"))
+        error(
+            "plate-too-thick",
+            name,
+            f"{key} fills half the section or more",
+            f"make {key} thinner or {of} larger",
+            value=float(t),
+            limit=size / 2,
+            unit="mm",
+        )
+        for key, t, size, of in (
+            ("t_top", t_top, h, "h"),
+            ("t_bottom", t_bottom, h, "h"),
+            ("t_web", t_web, b, "b"),
+        )
         if t >= size / 2
     ]
     if findings:
@@ -326,8 +375,13 @@ def _thin(name: str, h: float, b: float, t_top: float, t_bottom: float, t_web: f
 
 
 def _unknown(name: str, what: str, value, known: Sequence[str]) -> Finding:
-    return error(f"section-{what}", name, f"{what} {value!r} is not known",
-                 f"use {', '.join(known)}", value=str(value))
+    return error(
+        f"section-{what}",
+        name,
+        f"{what} {value!r} is not known",
+        f"use {', '.join(known)}",
+        value=str(value),
+    )
 
 
 def _checked(section: Section) -> Section:
@@ -337,11 +391,18 @@ def _checked(section: Section) -> Section:
     for strip in section.strips:
         for stop in (strip.stops_at_first, strip.stops_at_second):
             if stop and not (np.isfinite(stop.gap) and stop.gap >= 0):
-                findings.append(error(
-                    "section-gap", section.name, "gap must be zero or a positive length",
-                    "give the gap in mm", position=f"face {strip.face}", value=float(stop.gap),
-                    limit=0.0, unit="mm",
-                ))
+                findings.append(
+                    error(
+                        "section-gap",
+                        section.name,
+                        "gap must be zero or a positive length",
+                        "give the gap in mm",
+                        position=f"face {strip.face}",
+                        value=float(stop.gap),
+                        limit=0.0,
+                        unit="mm",
+                    )
+                )
     if findings:
         raise BendTorsionError(findings)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -352,15 +413,26 @@ def _checked(section: Section) -> Section:
         breadths = [(plate[1] - plate[0]) @ along, (plate[2] - plate[3]) @ along]
         clear = min(breadths) / max(float(np.hypot(*along)), 1e-9)
         if not clear > 1e-6:
-            findings.append(error(
-                "gap-too-wide", section.name, "nothing is left of the plate between its neighbours",
-                "use smaller gaps, thinner neighbours or a wider section",
-                position=f"face {strip.face}", value=float(clear), limit=0.0, unit="mm",
-            ))
+            findings.append(
+                error(
+                    "gap-too-wide",
+                    section.name,
+                    "nothing is left of the plate between its neighbours",
+                    "use smaller gaps, thinner neighbours or a wider section",
+                    position=f"face {strip.face}",
+                    value=float(clear),
+                    limit=0.0,
+                    unit="mm",
+                )
+            )
     if not findings:
         findings += [
-            error("plates-overlap", section.name, f"plates {one.face} and {other.face} overlap",
-                  "let one stop at the other, or make them thinner")
+            error(
+                "plates-overlap",
+                section.name,
+                f"plates {one.face} and {other.face} overlap",
+                "let one stop at the other, or make them thinner",
+            )
             for i, one in enumerate(section.strips)
             for j, other in enumerate(section.strips[:i])
             if overlap(plates[i], plates[j]) > 1e-6
@@ -385,8 +457,14 @@ def overlap(one: np.ndarray, other: np.ndarray) -> float:
 def section_of(name: str, type: str, material: Material = STEEL, **sizes) -> Section:
     """The section of a type (`TYPES`) from the sizes its constructor takes; what it does not take
     is left aside. Raises BendTorsionError for an unknown type and sizes that make none."""
-    makers = {"i": i_section, "tee": t_section, "channel": channel, "trapezoid": trapezoid,
-              "polygon": polygon, "strips": strip_list}
+    makers = {
+        "i": i_section,
+        "tee": t_section,
+        "channel": channel,
+        "trapezoid": trapezoid,
+        "polygon": polygon,
+        "strips": strip_list,
+    }
     if type in BOX_TYPES:
         wanted = ("h", "b", "t_top", "t_bottom", "t_web", "gap1", "gap2")
         return box(name, type, **{k: sizes[k] for k in wanted if k in sizes}, material=material)

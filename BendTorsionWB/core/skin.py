@@ -74,8 +74,10 @@ def skins(
     for index, (rails, folds) in enumerate(tubes):
         groups = tuple(range(first, first + len(rails)))
         first += len(rails)
-        edges = [[functions[g].start, *sorted(own), functions[g].end]
-                 for g, own in zip(groups, folds, strict=True)]
+        edges = [
+            [functions[g].start, *sorted(own), functions[g].end]
+            for g, own in zip(groups, folds, strict=True)
+        ]
         for k in range(len(edges[0]) - 1):
             ranges = tuple((own[k], own[k + 1]) for own in edges)
             length = ranges[0][1] - ranges[0][0]
@@ -112,9 +114,7 @@ def skins(
     return [tuple(pieces) for pieces in tubes_of]
 
 
-def _balanced(
-    pieces: dict[int, SkinPiece], misses: dict[int, np.ndarray]
-) -> dict[int, SkinPiece]:
+def _balanced(pieces: dict[int, SkinPiece], misses: dict[int, np.ndarray]) -> dict[int, SkinPiece]:
     """The pieces with half their error midway between stations moved to the stations.
 
     A cubic through even stations errs to one side, f⁗h⁴/384 midway and nothing at the stations;
@@ -129,9 +129,7 @@ def _balanced(
         poles = _poles(at_stations, np.zeros((2, *miss.shape[1:])))
         for column, index in enumerate(mine):
             piece = pieces[index]
-            done[index] = SkinPiece(
-                piece.knots, piece.poles + poles[:, column].transpose(1, 0, 2)
-            )
+            done[index] = SkinPiece(piece.knots, piece.poles + poles[:, column].transpose(1, 0, 2))
     return done
 
 
@@ -173,9 +171,14 @@ def _basis(knots: np.ndarray, span: np.ndarray, u: np.ndarray) -> tuple[list, li
     parts: list = []
     for degree in (1, 2, 3):
         parts = [basis[r] / (right[r + 1] + left[degree - r]) for r in range(degree)]
-        basis = [right[1] * parts[0]] + [
-            left[degree + 1 - r] * parts[r - 1] + right[r + 1] * parts[r] for r in range(1, degree)
-        ] + [left[1] * parts[-1]]
+        basis = (
+            [right[1] * parts[0]]
+            + [
+                left[degree + 1 - r] * parts[r - 1] + right[r + 1] * parts[r]
+                for r in range(1, degree)
+            ]
+            + [left[1] * parts[-1]]
+        )
     a, b, c = parts
     return basis, [-3.0 * a, 3.0 * (a - b), 3.0 * (b - c), 3.0 * c]
 
@@ -195,22 +198,29 @@ def _interpolated(
     def from_inside(chosen, places):
         return evaluate_together(chosen, places, side="inside")
 
-    values = _joined(from_inside, work, functions, lambda item: [
-        np.linspace(a, b, item.count + 1) for a, b in item.ranges
-    ])
-    slopes = _joined(from_inside, work, rates, lambda item: [
-        np.array(ends) for ends in item.ranges
-    ])
+    values = _joined(
+        from_inside,
+        work,
+        functions,
+        lambda item: [np.linspace(a, b, item.count + 1) for a, b in item.ranges],
+    )
+    slopes = _joined(
+        from_inside, work, rates, lambda item: [np.array(ends) for ends in item.ranges]
+    )
     pieces: dict[int, SkinPiece] = {}
     for count in sorted({item.count for item in work}):
         mine = [i for i, item in enumerate(work) if item.count == count]
         stations = np.stack([values[i] for i in mine], axis=1)
         # Rates per interval: of each group by its own length.
-        lengths = np.array([
-            np.repeat([(b - a) / count for a, b in work[i].ranges],
-                      values[i].shape[1] // len(work[i].ranges))
-            for i in mine
-        ])
+        lengths = np.array(
+            [
+                np.repeat(
+                    [(b - a) / count for a, b in work[i].ranges],
+                    values[i].shape[1] // len(work[i].ranges),
+                )
+                for i in mine
+            ]
+        )
         ends = np.stack([slopes[i] for i in mine], axis=1) * lengths
         poles = _poles(stations, ends)
         for column, i in enumerate(mine):

@@ -67,12 +67,19 @@ class Sites:
 def section_site(section: Section) -> Sites:
     """The one site of a section that does not vary, on a straight axis."""
     corners = np.array([section.corners], float)
-    gaps = [[s.gap if s else 0.0 for s in (strip.stops_at_first, strip.stops_at_second)]
-            for strip in section.strips]
+    gaps = [
+        [s.gap if s else 0.0 for s in (strip.stops_at_first, strip.stops_at_second)]
+        for strip in section.strips
+    ]
     zero = np.zeros(1)
     return Sites(
-        corners, np.zeros_like(corners), np.array([[s.thickness for s in section.strips]]),
-        np.array([gaps]), zero, zero, zero,
+        corners,
+        np.zeros_like(corners),
+        np.array([[s.thickness for s in section.strips]]),
+        np.array([gaps]),
+        zero,
+        zero,
+        zero,
     )
 
 
@@ -89,9 +96,7 @@ def section_polygons(section: Section) -> np.ndarray:
     return np.stack(corner, axis=1)
 
 
-def own_lines(
-    table: StripTable, sites: Sites, strip: np.ndarray, depth: np.ndarray
-) -> np.ndarray:
+def own_lines(table: StripTable, sites: Sites, strip: np.ndarray, depth: np.ndarray) -> np.ndarray:
     """Lines (n, 2, 2) of strips (n,), first to second corner, at depths (n,): 0 outer … 1 inner."""
     n = np.arange(len(strip))
     corner = np.stack([table.first[strip], table.second[strip]], axis=1)

@@ -121,9 +121,7 @@ class _Block:
         self.relief = faded(mitres.relief_after[mine], mitres.relief_before[mine])
 
 
-def _evaluated(
-    member: Member, blocks: Sequence[_Block], strips: Sequence[int]
-) -> list[Piecewise]:
+def _evaluated(member: Member, blocks: Sequence[_Block], strips: Sequence[int]) -> list[Piecewise]:
     """The blocks' rails, all in one sweep; three levels per strip."""
     law = member.law
     sizes = [len(block.s) for block in blocks]
@@ -144,12 +142,8 @@ def _evaluated(
             place = np.concatenate([b.place[:, edge] for b in blocks if b.shifted])
             new = member.frames.at(place)
             own = _replaced(at, moved, new)
-            sites = _replaced(
-                base, moved, law.sites(cell[moved], place, new.ky, new.kz, new.twist)
-            )
-        plane = edge_points(
-            law.table, sites, strip, np.full(len(s), edge), depth, relief[:, edge]
-        )
+            sites = _replaced(base, moved, law.sites(cell[moved], place, new.ky, new.kz, new.twist))
+        plane = edge_points(law.table, sites, strip, np.full(len(s), edge), depth, relief[:, edge])
         values[:, edge] = own.origin + plane[:, :1] * own.y + plane[:, 1:] * own.z
     ends = np.cumsum(sizes)[:-1]
     return [
@@ -190,9 +184,7 @@ def _mitres(member: Member) -> _Mitres:
 
     def sites(chosen, place) -> tuple[Sites, Sites]:
         at = member.frames.at(place)
-        return tuple(
-            law.sites(boundary[chosen] + k, place, at.ky, at.kz, at.twist) for k in (0, 1)
-        )
+        return tuple(law.sites(boundary[chosen] + k, place, at.ky, at.kz, at.twist) for k in (0, 1))
 
     def gap(chosen, place):
         """How far the edge before has passed the surface behind."""
@@ -205,9 +197,7 @@ def _mitres(member: Member) -> _Mitres:
     place = fold.copy()
     thickness = np.array([cell.thickness for cell in law.cells])
     through = thickness[boundary, strip] == thickness[boundary + 1, strip]
-    chosen = np.flatnonzero(
-        (depth != table.line[strip]) & np.isin(fold, law.folds) & through
-    )
+    chosen = np.flatnonzero((depth != table.line[strip]) & np.isin(fold, law.folds) & through)
     if len(chosen):
         last = fold[chosen]
         miss = gap(chosen, last)
@@ -246,8 +236,9 @@ def section_integrand(member: Member, rails: StripRails) -> Piecewise:
     inner = rails.inner(s).reshape(-1, 2, 3)
     ring = np.stack([outer[:, 0], outer[:, 1], inner[:, 1], inner[:, 0]], axis=1)
     ring = ring - at.origin[:, None]
-    plane = np.stack([(ring * at.y[:, None]).sum(axis=2), (ring * at.z[:, None]).sum(axis=2)],
-                     axis=2)
+    plane = np.stack(
+        [(ring * at.y[:, None]).sum(axis=2), (ring * at.z[:, None]).sum(axis=2)], axis=2
+    )
     area, centroid = _polygon(plane)
     values = np.column_stack([area * stretch(at, centroid), area])
     return Piecewise(breaks, values.reshape(*nodes.shape, 2))

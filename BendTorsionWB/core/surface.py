@@ -273,20 +273,35 @@ def analytic_surface(
     """
     if kind not in KINDS:
         raise BendTorsionError(
-            error("surface-kind", object, f"no surface kind {kind!r}", f"use {', '.join(KINDS)}",
-                  value=str(kind))
+            error(
+                "surface-kind",
+                object,
+                f"no surface kind {kind!r}",
+                f"use {', '.join(KINDS)}",
+                value=str(kind),
+            )
         )
     names = parameter_names(kind)
     usual = " ".join(f"{name}=" for name in names) or "no parameters"
     findings = [
-        error("surface-parameter", object, f"a {kind} has no parameter {name!r}", f"give {usual}",
-              position=str(name))
+        error(
+            "surface-parameter",
+            object,
+            f"a {kind} has no parameter {name!r}",
+            f"give {usual}",
+            position=str(name),
+        )
         for name in parameters
         if name not in names
     ]
     findings += [
-        error("surface-parameter", object, f"parameter {name} of the {kind} is missing",
-              f"give {usual}", position=name)
+        error(
+            "surface-parameter",
+            object,
+            f"parameter {name} of the {kind} is missing",
+            f"give {usual}",
+            position=name,
+        )
         for name in names
         if name not in parameters
     ]
@@ -311,9 +326,16 @@ def analytic_surface(
         low, high = -high, -low
     if not low < shift < high:
         raise BendTorsionError(
-            error("surface-offset", object, "the offset reaches the surface's centre of curvature",
-                  "use a smaller offset", position="offset", value=shift,
-                  limit=low if shift <= low else high, unit="mm")
+            error(
+                "surface-offset",
+                object,
+                "the offset reaches the surface's centre of curvature",
+                "use a smaller offset",
+                position="offset",
+                value=shift,
+                limit=low if shift <= low else high,
+                unit="mm",
+            )
         )
     return Offset(surface, shift)
 
@@ -325,8 +347,14 @@ def _number(value, name: str, object: str, findings: list[Finding]) -> float:
         number = math.nan
     if not math.isfinite(number):
         findings.append(
-            error("surface-parameter", object, f"{name} is not a finite number", "give a number",
-                  position=name, value=str(value))
+            error(
+                "surface-parameter",
+                object,
+                f"{name} is not a finite number",
+                "give a number",
+                position=name,
+                value=str(value),
+            )
         )
     return number
 
@@ -334,23 +362,45 @@ def _number(value, name: str, object: str, findings: list[Finding]) -> float:
 def _improper(kind: str, numbers: Mapping[str, float], object: str) -> list[Finding]:
     """Findings for numbers that describe no surface of this kind."""
     findings = [
-        error("surface-parameter", object, f"{name} of the {kind} must be greater than 0",
-              "give a positive length", position=name, value=value, limit=0.0, unit="mm")
+        error(
+            "surface-parameter",
+            object,
+            f"{name} of the {kind} must be greater than 0",
+            "give a positive length",
+            position=name,
+            value=value,
+            limit=0.0,
+            unit="mm",
+        )
         for name, value in numbers.items()
         if name != "angle" and value <= 0
     ]
     angle = numbers.get("angle")
     if angle is not None and not 0 < abs(angle) < math.pi / 2:
         findings.append(
-            error("surface-parameter", object, "the cone's half-angle must lie between 0° and 90°",
-                  "use a cylinder for 0°, a plane for 90°; below 0 the cone narrows upwards",
-                  position="angle", value=math.degrees(angle), limit=90.0, unit="°")
+            error(
+                "surface-parameter",
+                object,
+                "the cone's half-angle must lie between 0° and 90°",
+                "use a cylinder for 0°, a plane for 90°; below 0 the cone narrows upwards",
+                position="angle",
+                value=math.degrees(angle),
+                limit=90.0,
+                unit="°",
+            )
         )
     if kind == "torus" and not findings and numbers["R"] <= numbers["r"]:
         findings.append(
-            error("surface-parameter", object, "R of the torus must be greater than r",
-                  "R is the radius to the tube's centre", position="R", value=numbers["R"],
-                  limit=numbers["r"], unit="mm")
+            error(
+                "surface-parameter",
+                object,
+                "R of the torus must be greater than r",
+                "R is the radius to the tube's centre",
+                position="R",
+                value=numbers["R"],
+                limit=numbers["r"],
+                unit="mm",
+            )
         )
     return findings
 
@@ -375,5 +425,6 @@ def _radial(local: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 def _foot(origin, local, feet, normals, ambiguous) -> Foot:
     distance = ((local - feet) * normals).sum(1)
-    return Foot(feet + np.asarray(origin, float), normals, distance, ambiguous,
-                np.zeros(len(feet), bool))
+    return Foot(
+        feet + np.asarray(origin, float), normals, distance, ambiguous, np.zeros(len(feet), bool)
+    )

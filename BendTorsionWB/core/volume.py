@@ -52,15 +52,17 @@ def strip_volumes(strips: Sequence[StripRails]) -> list[float]:
             [group.start, *folds, group.end]
             for group, folds in ((rails.outer, rails.outer_folds), (rails.inner, rails.inner_folds))
         ]
-        parts = [_paired(rails, [own[k] for own in edges], [own[k + 1] for own in edges])
-                 for k in range(len(edges[0]) - 1)]
+        parts = [
+            _paired(rails, [own[k] for own in edges], [own[k + 1] for own in edges])
+            for k in range(len(edges[0]) - 1)
+        ]
         x, w = ([part[i] for part in parts] for i in (0, 1))
         for side, group in enumerate((rails.outer, rails.inner)):
             lengths = np.diff(edges[side])
             functions.append(group)
-            places.append(np.concatenate(
-                [edges[side][k] + x[k] * lengths[k] for k in range(len(parts))]
-            ))
+            places.append(
+                np.concatenate([edges[side][k] + x[k] * lengths[k] for k in range(len(parts))])
+            )
             scales.append(np.repeat(lengths, [len(part) for part in x]))
         weights.append(np.concatenate(w))
         ends.append(np.stack([_ring_at(rails, 0), _ring_at(rails, -1)]))
@@ -72,8 +74,11 @@ def strip_volumes(strips: Sequence[StripRails]) -> list[float]:
     outer, inner = np.concatenate(found[::2]), np.concatenate(found[1::2])
     rails, rates = (
         np.concatenate(
-            [one[:, part].reshape(-1, 2, 3) * by[:, None, None]
-             for one, by in ((outer, a), (inner, b))], axis=1
+            [
+                one[:, part].reshape(-1, 2, 3) * by[:, None, None]
+                for one, by in ((outer, a), (inner, b))
+            ],
+            axis=1,
         )[:, [0, 1, 3, 2]]
         for part, a, b in (
             (slice(0, 6), np.ones(len(outer)), np.ones(len(inner))),

@@ -84,8 +84,10 @@ def section_law(
         np.asarray(segment.section.corners) + centre
         for segment, centre in zip(segments, centres, strict=True)
     ]
-    steps = [_face_steps(segments[k], centres[k], segments[k + 1], centres[k + 1])
-             for k in range(len(segments) - 1)]
+    steps = [
+        _face_steps(segments[k], centres[k], segments[k + 1], centres[k + 1])
+        for k in range(len(segments) - 1)
+    ]
     ends = []
     for k, step in enumerate(steps):
         later = segments[k + 1]
@@ -233,8 +235,9 @@ def _segment_findings(member: str, segments: Sequence[Segment], length: float) -
 
 def _pattern(strip: Strip) -> tuple:
     """What of a strip must not change along a member."""
-    stops = [stop and (stop.face, stop.at) for stop in (strip.stops_at_first,
-                                                        strip.stops_at_second)]
+    stops = [
+        stop and (stop.face, stop.at) for stop in (strip.stops_at_first, strip.stops_at_second)
+    ]
     return strip.face, strip.letter, strip.first, strip.second, strip.inward, strip.line, *stops
 
 
@@ -336,10 +339,16 @@ def _zones(
         zones.append((f"d-{k + 1}", start, end, k, k))
     return [
         (
-            label, a, b,
+            label,
+            a,
+            b,
             powers(placed[i], placed[j], b - a, i != j and segments[j].transition == "smooth"),
-            powers(_gaps(segments[i].section), _gaps(segments[j].section), b - a,
-                    i != j and segments[j].transition == "smooth"),
+            powers(
+                _gaps(segments[i].section),
+                _gaps(segments[j].section),
+                b - a,
+                i != j and segments[j].transition == "smooth",
+            ),
         )
         for label, a, b, i, j in zones
     ]

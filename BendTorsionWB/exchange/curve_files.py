@@ -40,26 +40,47 @@ def dxf_axes(path: str | Path) -> dict[str, AxisSource]:
         document = ezdxf.readfile(path)
     except (OSError, DXFError) as problem:
         raise BendTorsionError(
-            error("axis-file", path.name, f"the file cannot be read as DXF: {problem}",
-                  "save it as DXF R2000 or later")
+            error(
+                "axis-file",
+                path.name,
+                f"the file cannot be read as DXF: {problem}",
+                "save it as DXF R2000 or later",
+            )
         ) from problem
     code = document.header.get("$INSUNITS", 0)
     if code not in UNITS:
         raise BendTorsionError(
-            error("axis-file-unit", path.name, "the drawing's unit is none of mm, cm, dm, m, "
-                  "inch, foot", "set $INSUNITS to 4 (mm)", position="$INSUNITS", value=int(code))
+            error(
+                "axis-file-unit",
+                path.name,
+                "the drawing's unit is none of mm, cm, dm, m, inch, foot",
+                "set $INSUNITS to 4 (mm)",
+                position="$INSUNITS",
+                value=int(code),
+            )
         )
     entities = [
-        entity for entity in document.modelspace()
+        entity
+        for entity in document.modelspace()
         if entity.dxftype() in KINDS
-        and not (entity.dxftype() == "POLYLINE" and (entity.is_polygon_mesh
-                                                     or entity.is_poly_face_mesh))
+        and not (
+            entity.dxftype() == "POLYLINE" and (entity.is_polygon_mesh or entity.is_poly_face_mesh)
+        )
     ]
     inserts = len(document.modelspace().query("INSERT"))
     findings = (
-        warning("axis-file-blocks", path.name, "blocks of the drawing were not looked into",
-                "explode them when they hold the axis", value=inserts),
-    ) if inserts else ()
+        (
+            warning(
+                "axis-file-blocks",
+                path.name,
+                "blocks of the drawing were not looked into",
+                "explode them when they hold the axis",
+                value=inserts,
+            ),
+        )
+        if inserts
+        else ()
+    )
     groups: dict[str, list] = {}
     for entity in entities:
         groups.setdefault(entity.dxf.layer, []).append(entity)

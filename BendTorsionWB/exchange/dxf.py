@@ -286,9 +286,7 @@ def _text_height(plate: DevelopedPlate, panels: list[tuple[np.ndarray, np.ndarra
     return round(max(_SMALLEST_TEXT, fitting), 1)
 
 
-def _text_fit(
-    panel: tuple[np.ndarray, np.ndarray], rows: tuple[str, ...]
-) -> tuple[float, bool]:
+def _text_fit(panel: tuple[np.ndarray, np.ndarray], rows: tuple[str, ...]) -> tuple[float, bool]:
     """Height, mm, at which rows and arrow fit into the field, and whether they read along +s."""
     length, width = _field_size(panel)
     text_length = max(8, *map(len, rows)) * _CHARACTER_WIDTH

@@ -29,9 +29,15 @@ def plate_nc1(plate: DevelopedPlate, order: str = "", drawing: str = "") -> byte
     outline = fit_outline(plate.outline, name=plate.mark)
     if outline[:, :2].min() < -0.005:
         raise BendTorsionError(
-            error("nc1-contour", plate.mark, "the contour has negative coordinates",
-                  "report this with the document", value=float(outline[:, :2].min()), limit=0.0,
-                  unit="mm")
+            error(
+                "nc1-contour",
+                plate.mark,
+                "the contour has negative coordinates",
+                "report this with the document",
+                value=float(outline[:, :2].min()),
+                limit=0.0,
+                unit="mm",
+            )
         )
     lines = ["ST", *_header(plate, order, drawing)]
     lines += ["AK", *_contour(outline)]
@@ -54,11 +60,26 @@ def plate_nc1(plate: DevelopedPlate, order: str = "", drawing: str = "") -> byte
 
 def _header(plate: DevelopedPlate, order: str, drawing: str) -> list[str]:
     thickness = plate.thickness
-    texts = [order or plate.member, drawing or plate.member, str(plate.piece), plate.mark,
-             plate.material, "1", f"PL{thickness:g}*{plate.width:.0f}", "B"]
+    texts = [
+        order or plate.member,
+        drawing or plate.member,
+        str(plate.piece),
+        plate.mark,
+        plate.material,
+        "1",
+        f"PL{thickness:g}*{plate.width:.0f}",
+        "B",
+    ]
     weight = plate.mass / plate.area * 1e6 if plate.area else DENSITY * thickness * 1e6
-    numbers = [f"{plate.length:.2f}", f"{plate.width:.2f}", *[f"{thickness:.2f}"] * 3, "0.00",
-               f"{weight:.3f}", "2.000", *["0.000"] * 4]
+    numbers = [
+        f"{plate.length:.2f}",
+        f"{plate.width:.2f}",
+        *[f"{thickness:.2f}"] * 3,
+        "0.00",
+        f"{weight:.3f}",
+        "2.000",
+        *["0.000"] * 4,
+    ]
     return [f"  {_ascii(text)}" for text in [*texts, *numbers, "", "", "", ""]]
 
 

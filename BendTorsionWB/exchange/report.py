@@ -63,9 +63,7 @@ def findings_of(record: MemberRecord, findings: Iterable[Finding]) -> list[Findi
     return [finding for finding in findings if finding in own or finding.object in names]
 
 
-def report_json(
-    records: Sequence[MemberRecord], findings: Iterable[Finding], version: str
-) -> dict:
+def report_json(records: Sequence[MemberRecord], findings: Iterable[Finding], version: str) -> dict:
     """The content of report.json as plain JSON data; angles in degrees, missing figures None.
 
     `findings` are those of the build; the records' own are added. Members in the given order.
@@ -149,8 +147,8 @@ def largest(values: Iterable[float]) -> float | None:
 
 
 def worst_length_error(plates: Iterable[DevelopedPlate], in_transition: bool) -> float | None:
-    """Largest length error among the plates in transitions (`in_transition`) or outside them; mm."""
-    return largest(plate.length_error_max for plate in plates if plate.in_transition == in_transition)
+    """Largest length error, mm, among the plates in transitions or outside them."""
+    return largest(p.length_error_max for p in plates if p.in_transition == in_transition)
 
 
 def worst_bound_factor(plates: Iterable[DevelopedPlate]) -> float | None:
@@ -266,8 +264,7 @@ def _facts(record: MemberRecord) -> list[str]:
 
 def _marked(record: MemberRecord) -> list[str]:
     return [
-        _figure(value, limit, digits)
-        for (value, limit), digits in zip(_measured(record), _DIGITS)
+        _figure(value, limit, digits) for (value, limit), digits in zip(_measured(record), _DIGITS)
     ]
 
 

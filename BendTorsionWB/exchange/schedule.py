@@ -270,7 +270,13 @@ def _surface(row: Record) -> SurfaceRow:
         given["angle"] = math.radians(given["angle"])
     sizes = tuple(given.items())
     return SurfaceRow(
-        row.place, row["surface"], row["kind"], sizes, centre, row["offset"], row["flip"],
+        row.place,
+        row["surface"],
+        row["kind"],
+        sizes,
+        centre,
+        row["offset"],
+        row["flip"],
         row["file"],
     )
 

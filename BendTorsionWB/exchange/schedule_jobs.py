@@ -71,8 +71,15 @@ def surface_of(schedule: Schedule, name: str, files: Files = Files()) -> Surface
         )
     except BendTorsionError as problem:
         raise BendTorsionError(
-            row.error("offset" if f.code == "surface-offset" else "parameters", f.code, f.message,
-                      f.mend, value=f.value, limit=f.limit, unit=f.unit)
+            row.error(
+                "offset" if f.code == "surface-offset" else "parameters",
+                f.code,
+                f.message,
+                f.mend,
+                value=f.value,
+                limit=f.limit,
+                unit=f.unit,
+            )
             for f in problem.findings
         ) from problem
 
@@ -82,7 +89,15 @@ def section_of(schedule: Schedule, name: str) -> Section:
     row = schedule.section(name)
     grade = schedule.material(row.material)
     return box(
-        row.name, row.type, row.h, row.b, row.t_top, row.t_bottom, row.t_web, row.gap1, row.gap2,
+        row.name,
+        row.type,
+        row.h,
+        row.b,
+        row.t_top,
+        row.t_bottom,
+        row.t_web,
+        row.gap1,
+        row.gap2,
         Material(grade.name, grade.density, grade.E, grade.fy),
     )
 
@@ -171,8 +186,13 @@ def located(schedule: Schedule, row: MemberRow, finding: Finding) -> Finding:
     place = "" if segment else finding.position
     message = f"{finding.object}: {finding.message}" + (f" at {place}" if place else "")
     return source.error(
-        column, finding.code, message, finding.mend,
-        value=finding.value, limit=finding.limit, unit=finding.unit,
+        column,
+        finding.code,
+        message,
+        finding.mend,
+        value=finding.value,
+        limit=finding.limit,
+        unit=finding.unit,
     )
 
 

@@ -25,7 +25,7 @@ def timeless_step(content: bytes, name: str, software: str) -> bytes:
 
 
 def timeless_document(path: Path) -> None:
-    """A FreeCAD document rewritten in place: entries in their order, without times or random ids."""
+    """A FreeCAD document rewritten in place: entries in order, without times and random ids."""
     with zipfile.ZipFile(path) as source:
         entries = [(info.filename, source.read(info)) for info in source.infolist()]
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=3) as target:

@@ -25,23 +25,50 @@ class Member(Proxy):
     PROPERTIES = (
         Property("App::PropertyLink", "Axis", "Member", "The axis the member follows"),
         Property("App::PropertyInteger", "Segments", "Member", "Number of segments", 1),
-        Property(_DISTANCE, "OffsetY", "Member", "Offset of the whole member along its breadth",
-                 0.0),
-        Property(_DISTANCE, "OffsetZ", "Member", "Offset of the whole member along its height",
-                 0.0),
+        Property(
+            _DISTANCE, "OffsetY", "Member", "Offset of the whole member along its breadth", 0.0
+        ),
+        Property(
+            _DISTANCE, "OffsetZ", "Member", "Offset of the whole member along its height", 0.0
+        ),
         Property("App::PropertyAngle", "Roll", "Member", "Turn about the axis", 0.0),
-        Property("App::PropertyEnumeration", "TransitionLength", "Member",
-                 "Transition length from the largest step of a face, or from the total change",
-                 "face", zones.TRANSITION_LENGTHS),
-        Property("App::PropertyInteger", "Rank", "Member",
-                 "Where members meet the lower rank runs through", 0),
+        Property(
+            "App::PropertyEnumeration",
+            "TransitionLength",
+            "Member",
+            "Transition length from the largest step of a face, or from the total change",
+            "face",
+            zones.TRANSITION_LENGTHS,
+        ),
+        Property(
+            "App::PropertyInteger",
+            "Rank",
+            "Member",
+            "Where members meet the lower rank runs through",
+            0,
+        ),
         Property("App::PropertyLength", "Length", "Result", "Length of the axis", output=True),
-        Property("App::PropertyAngle", "TotalTorsion", "Result",
-                 "Torsion angle from start to end", output=True),
-        Property("App::PropertyStringList", "Zones", "Result",
-                 "Constant (d) and transition (b) zones with start and end, mm", output=True),
-        Property("App::PropertyStringList", "FaceSteps", "Result",
-                 "Steps of the top, bottom, left and right face at each cut, mm", output=True),
+        Property(
+            "App::PropertyAngle",
+            "TotalTorsion",
+            "Result",
+            "Torsion angle from start to end",
+            output=True,
+        ),
+        Property(
+            "App::PropertyStringList",
+            "Zones",
+            "Result",
+            "Constant (d) and transition (b) zones with start and end, mm",
+            output=True,
+        ),
+        Property(
+            "App::PropertyStringList",
+            "FaceSteps",
+            "Result",
+            "Steps of the top, bottom, left and right face at each cut, mm",
+            output=True,
+        ),
     )
 
     def declared(self, obj):
@@ -57,8 +84,9 @@ class Member(Proxy):
     def build(self, obj):
         geometry = value(obj)
         member = geometry.member
-        tubes = [[(p.knots, p.poles) for p in tube]
-                 for tube in detailing.member_skins(geometry).tubes]
+        tubes = [
+            [(p.knots, p.poles) for p in tube] for tube in detailing.member_skins(geometry).tubes
+        ]
         obj.Shape = brep.compound(brep.tube_solids(tubes))
         obj.Length = member.length
         obj.TotalTorsion = float(np.degrees(torsion_angle(member.frames)[1][-1]))
@@ -78,23 +106,53 @@ def segment_properties(count: int) -> tuple[Property, ...]:
         properties.append(Property("App::PropertyLink", f"Section{k}", group, "The section"))
         if k > 1:
             properties += [
-                Property(_DISTANCE, f"Cut{k}", group,
-                         "Where the segment starts, from the start of the axis", 0.0),
-                Property("App::PropertyFloat", f"CutRatio{k}", group,
-                         "Where it starts as a part of the length; 0 to use the distance", 0.0),
-                Property("App::PropertyFloat", f"Slope{k}", group,
-                         "Length of the transition per millimetre of step; 0 for a step",
-                         zones.DEFAULT_SLOPE),
-                Property("App::PropertyEnumeration", f"Transition{k}", group,
-                         "Linear, with a fold at each end, or smooth over the same length",
-                         "linear", zones.TRANSITIONS),
+                Property(
+                    _DISTANCE,
+                    f"Cut{k}",
+                    group,
+                    "Where the segment starts, from the start of the axis",
+                    0.0,
+                ),
+                Property(
+                    "App::PropertyFloat",
+                    f"CutRatio{k}",
+                    group,
+                    "Where it starts as a part of the length; 0 to use the distance",
+                    0.0,
+                ),
+                Property(
+                    "App::PropertyFloat",
+                    f"Slope{k}",
+                    group,
+                    "Length of the transition per millimetre of step; 0 for a step",
+                    zones.DEFAULT_SLOPE,
+                ),
+                Property(
+                    "App::PropertyEnumeration",
+                    f"Transition{k}",
+                    group,
+                    "Linear, with a fold at each end, or smooth over the same length",
+                    "linear",
+                    zones.TRANSITIONS,
+                ),
             ]
         properties += [
-            Property("App::PropertyEnumeration", f"Align{k}", group,
-                     "What lies on the axis, or is flush with the segment before", "centre",
-                     zones.ALIGNMENTS),
-            Property("App::PropertyEnumeration", f"AlignTo{k}", group,
-                     "Align to the axis or to the previous segment", "axis", zones.ALIGN_TO),
+            Property(
+                "App::PropertyEnumeration",
+                f"Align{k}",
+                group,
+                "What lies on the axis, or is flush with the segment before",
+                "centre",
+                zones.ALIGNMENTS,
+            ),
+            Property(
+                "App::PropertyEnumeration",
+                f"AlignTo{k}",
+                group,
+                "Align to the axis or to the previous segment",
+                "axis",
+                zones.ALIGN_TO,
+            ),
             Property(_DISTANCE, f"OffsetY{k}", group, "Offset along the breadth", 0.0),
             Property(_DISTANCE, f"OffsetZ{k}", group, "Offset along the height", 0.0),
         ]
@@ -105,8 +163,14 @@ def value(obj) -> detailing.MemberGeometry:
     """The core geometry of a Member; raises BendTorsionError for what cannot be built."""
     if obj.Segments < 1:
         raise BendTorsionError(
-            error("segments", obj.Label, "a member needs a segment", "set Segments to 1 or more",
-                  value=obj.Segments, limit=1)
+            error(
+                "segments",
+                obj.Label,
+                "a member needs a segment",
+                "set Segments to 1 or more",
+                value=obj.Segments,
+                limit=1,
+            )
         )
     target = linked(obj, "Axis", "Axis")
     axis = axis_object.value(target)

@@ -15,7 +15,9 @@ from BendTorsionWB.shapes import brep
 
 def _joints_property(face: str) -> Property:
     return Property(
-        "App::PropertyFloatList", f"Joints{face.capitalize()}", "Plates",
+        "App::PropertyFloatList",
+        f"Joints{face.capitalize()}",
+        "Plates",
         f"Joints of the {face} face: cumulative ratios (up to 1) or mm from the start",
     )
 
@@ -27,15 +29,34 @@ class PlateSet(Proxy):
     PROPERTIES = (
         Property("App::PropertyLink", "Member", "Plates", "The member cut into plates"),
         *map(_joints_property, BOX_FACES),
-        Property("App::PropertyStringList", "AutoJoints", "Plates",
-                 "Faces whose joints are solved by the rule pack, instead of their lists"),
-        Property("App::PropertyLength", "StationSpacing", "Plates",
-                 "Largest distance of measuring lines along any corner line", 500.0),
-        Property("App::PropertyEnumeration", "RulePack", "Plates",
-                 "The rules joints are checked by and solved for, and plates formed by", "CN",
-                 rules.PACKS),
-        Property("App::PropertyStringList", "Marks", "Result", "Position marks, as the solids",
-                 output=True),
+        Property(
+            "App::PropertyStringList",
+            "AutoJoints",
+            "Plates",
+            "Faces whose joints are solved by the rule pack, instead of their lists",
+        ),
+        Property(
+            "App::PropertyLength",
+            "StationSpacing",
+            "Plates",
+            "Largest distance of measuring lines along any corner line",
+            500.0,
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "RulePack",
+            "Plates",
+            "The rules joints are checked by and solved for, and plates formed by",
+            "CN",
+            rules.PACKS,
+        ),
+        Property(
+            "App::PropertyStringList",
+            "Marks",
+            "Result",
+            "Position marks, as the solids",
+            output=True,
+        ),
         Property("App::PropertyInteger", "PlateCount", "Result", "Number of plates", output=True),
         Property("App::PropertyFloat", "Mass", "Result", "Mass of all plates, kg", output=True),
         Property("App::PropertyVolume", "Volume", "Result", "Volume of all plates", output=True),
@@ -93,8 +114,15 @@ def value(obj) -> detailing.MemberPlates:
     geometry = member_object.value(linked(obj, "Member", "Member"))
     if obj.StationSpacing.Value <= 0:
         raise BendTorsionError(
-            error("station-spacing", obj.Label, "station spacing must be positive", "use 500 mm",
-                  value=obj.StationSpacing.Value, limit=0.0, unit="mm")
+            error(
+                "station-spacing",
+                obj.Label,
+                "station spacing must be positive",
+                "use 500 mm",
+                value=obj.StationSpacing.Value,
+                limit=0.0,
+                unit="mm",
+            )
         )
     joints = {}
     for face in (strip.face for strip in geometry.member.law.strips):

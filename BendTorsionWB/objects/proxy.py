@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What every BendTorsion document object shares: properties, findings, an execute that cannot raise.
+"""What every document object shares: properties, findings, an execute that cannot raise.
 
 An object that raises in `execute` stops its dependants, and FreeCAD leaves them "Up-to-date" with
 stale shapes. So errors become findings and an empty shape, and dependants run and see them.
@@ -69,12 +69,18 @@ class Proxy:
         present = set(obj.PropertiesList)
         if "BT_Type" not in present:
             obj.addProperty(
-                "App::PropertyString", "BT_Type", "Base", "Kind of BendTorsion object",
+                "App::PropertyString",
+                "BT_Type",
+                "Base",
+                "Kind of BendTorsion object",
                 READ_ONLY | HIDDEN,
             )
             obj.BT_Type = self.TYPE
             obj.addProperty(
-                "App::PropertyInteger", "SchemaVersion", "Base", "Version of the saved properties",
+                "App::PropertyInteger",
+                "SchemaVersion",
+                "Base",
+                "Version of the saved properties",
                 READ_ONLY | HIDDEN,
             )
             obj.SchemaVersion = SCHEMA_VERSION
@@ -175,13 +181,24 @@ def linked(obj, name: str, kind: str):
     target = getattr(obj, name, None)
     if target is None:
         raise BendTorsionError(
-            error("link-missing", obj.Label, f"{name} is not set", f"choose a {kind}",
-                  position=f"property {name}")
+            error(
+                "link-missing",
+                obj.Label,
+                f"{name} is not set",
+                f"choose a {kind}",
+                position=f"property {name}",
+            )
         )
     if getattr(target, "BT_Type", "") != kind:
         raise BendTorsionError(
-            error("link-kind", obj.Label, f"{name} is not a {kind}", f"choose a {kind}",
-                  position=f"property {name}", value=target.Label)
+            error(
+                "link-kind",
+                obj.Label,
+                f"{name} is not a {kind}",
+                f"choose a {kind}",
+                position=f"property {name}",
+                value=target.Label,
+            )
         )
     return target
 

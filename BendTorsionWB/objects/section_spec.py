@@ -24,64 +24,179 @@ DEFAULT = core_section.Material()
 AUTOMATIC_JOINT = {"trapezoid": "flanges", "polygon": "mitre"}
 
 
+PROPERTY_OF_SIZE = {
+    "h": "Height",
+    "b": "Breadth",
+    "b_bottom": "BreadthBottom",
+    "t": "Thickness",
+    "t_top": "ThicknessTop",
+    "t_bottom": "ThicknessBottom",
+    "t_web": "ThicknessWeb",
+    "gap1": "Gap1",
+    "gap2": "Gap2",
+    "E": "YoungsModulus",
+    "fy": "YieldStrength",
+}
+"""Names of the schedule's columns as properties."""
+
+
 class SectionSpec(Proxy):
-    """A section; members that use it follow its every change."""
+    """A section; members that use it follow its every change.
+
+    The schedule's h, b, t, ... have names of their own here, because FreeCAD's expressions read
+    `h` as hour and `t` as tonne.
+    """
 
     TYPE = "SectionSpec"
     PROPERTIES = (
-        Property("App::PropertyEnumeration", "Type", "Section",
-                 "box1: webs full height, flanges between them; box2: flanges full breadth; i: "
-                 "I or H; tee; channel; trapezoid: box with sloping webs; polygon: ring of plates; "
-                 "strips: free list", "box1", TYPES),
-        Property(_LENGTH, "h", "Section", "Height over the outer faces", 600.0),
-        Property(_LENGTH, "b", "Section", "Breadth over the outer faces; of the top where the "
-                 "bottom has its own", 600.0),
-        Property(_LENGTH, "b_bottom", "Section",
-                 "Breadth of the bottom flange (i) or bottom (trapezoid); 0 for b", 0.0),
-        Property(_LENGTH, "t", "Section", "Plate thickness where no other is given", 16.0),
-        Property(_LENGTH, "t_top", "Section", "Thickness of the top plate; 0 for t", 0.0),
-        Property(_LENGTH, "t_bottom", "Section", "Thickness of the bottom plate; 0 for t", 0.0),
-        Property(_LENGTH, "t_web", "Section", "Thickness of the webs; 0 for t", 0.0),
-        Property(_LENGTH, "gap1", "Section",
-                 "Root gap on the left (box1, webs run through) or at the top of the webs; of all "
-                 "corners of a polygon", 0.0),
-        Property(_LENGTH, "gap2", "Section",
-                 "Root gap on the right (box1, webs run through) or at the bottom of the webs",
-                 0.0),
-        Property("App::PropertyEnumeration", "CornerJoint", "Section",
-                 "Which plates run to the corner (trapezoid, polygon): flanges, webs, each over "
-                 "the next (ring), or mitred", "automatic", ("automatic", *CORNER_JOINTS)),
-        Property("App::PropertyVectorList", "PolygonCorners", "Section",
-                 "Corners of a polygon in turn, as (0, y, z) mm"),
-        Property("App::PropertyFloatList", "PolygonThicknesses", "Section",
-                 "Thickness of each side of a polygon, mm; empty for t"),
-        Property("App::PropertyStringList", "StripTable", "Section",
-                 "Free list, a strip per line: face, letter, y1, z1, y2, z2, t, side (left right "
-                 "middle), stop1, stop2"),
+        Property(
+            "App::PropertyEnumeration",
+            "Type",
+            "Section",
+            "box1: webs full height, flanges between them; box2: flanges full breadth; i: "
+            "I or H; tee; channel; trapezoid: box with sloping webs; polygon: ring of plates; "
+            "strips: free list",
+            "box1",
+            TYPES,
+        ),
+        Property(_LENGTH, "Height", "Section", "Height h over the outer faces", 600.0),
+        Property(
+            _LENGTH,
+            "Breadth",
+            "Section",
+            "Breadth over the outer faces; of the top where the bottom has its own",
+            600.0,
+        ),
+        Property(
+            _LENGTH,
+            "BreadthBottom",
+            "Section",
+            "Breadth of the bottom flange (i) or bottom (trapezoid); 0 for Breadth",
+            0.0,
+        ),
+        Property(_LENGTH, "Thickness", "Section", "Plate thickness where no other is given", 16.0),
+        Property(
+            _LENGTH, "ThicknessTop", "Section", "Thickness of the top plate; 0 for Thickness", 0.0
+        ),
+        Property(
+            _LENGTH,
+            "ThicknessBottom",
+            "Section",
+            "Thickness of the bottom plate; 0 for Thickness",
+            0.0,
+        ),
+        Property(_LENGTH, "ThicknessWeb", "Section", "Thickness of the webs; 0 for Thickness", 0.0),
+        Property(
+            _LENGTH,
+            "Gap1",
+            "Section",
+            "Root gap on the left (box1, webs run through) or at the top of the webs; of all "
+            "corners of a polygon",
+            0.0,
+        ),
+        Property(
+            _LENGTH,
+            "Gap2",
+            "Section",
+            "Root gap on the right (box1, webs run through) or at the bottom of the webs",
+            0.0,
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "CornerJoint",
+            "Section",
+            "Which plates run to the corner (trapezoid, polygon): flanges, webs, each over "
+            "the next (ring), or mitred",
+            "automatic",
+            ("automatic", *CORNER_JOINTS),
+        ),
+        Property(
+            "App::PropertyVectorList",
+            "PolygonCorners",
+            "Section",
+            "Corners of a polygon in turn, as (0, y, z) mm",
+        ),
+        Property(
+            "App::PropertyFloatList",
+            "PolygonThicknesses",
+            "Section",
+            "Thickness of each side of a polygon, mm; empty for Thickness",
+        ),
+        Property(
+            "App::PropertyStringList",
+            "StripTable",
+            "Section",
+            "Free list, a strip per line: face, letter, y1, z1, y2, z2, t, side (left right "
+            "middle), stop1, stop2",
+        ),
         Property("App::PropertyString", "Material", "Material", "Steel grade", DEFAULT.name),
         Property(_FLOAT, "Density", "Material", "kg/m3", DEFAULT.density * 1e9),
-        Property("App::PropertyPressure", "E", "Material", "Young's modulus", DEFAULT.e * 1e3),
-        Property("App::PropertyPressure", "fy", "Material", "Yield strength", DEFAULT.fy * 1e3),
+        Property(
+            "App::PropertyPressure", "YoungsModulus", "Material", "Young's modulus", DEFAULT.e * 1e3
+        ),
+        Property(
+            "App::PropertyPressure", "YieldStrength", "Material", "Yield strength", DEFAULT.fy * 1e3
+        ),
         Property("App::PropertyArea", "Area", "Result", "Area of the plates", output=True),
-        Property(_FLOAT, "Iy", "Result", "Second moment about the y axis through the centroid, mm4",
-                 output=True),
-        Property(_FLOAT, "Iz", "Result", "Second moment about the z axis through the centroid, mm4",
-                 output=True),
+        Property(
+            _FLOAT,
+            "Iy",
+            "Result",
+            "Second moment about the y axis through the centroid, mm4",
+            output=True,
+        ),
+        Property(
+            _FLOAT,
+            "Iz",
+            "Result",
+            "Second moment about the z axis through the centroid, mm4",
+            output=True,
+        ),
         Property(_FLOAT, "Iyz", "Result", "Product moment, mm4", output=True),
-        Property(_FLOAT, "J", "Result", "Torsion constant, mm4: Bredt when closed, sum of bt³/3 "
-                 "when open", output=True),
-        Property("App::PropertyDistance", "CentroidY", "Result", "Centroid from the middle of b",
-                 output=True),
-        Property("App::PropertyDistance", "CentroidZ", "Result", "Centroid from the middle of h",
-                 output=True),
-        Property("App::PropertyAngle", "PrincipalAngle", "Result",
-                 "Angle from y to the axis of the largest second moment", output=True),
+        Property(
+            _FLOAT,
+            "TorsionConstant",
+            "Result",
+            "Torsion constant, mm4: Bredt when closed, sum of bt³/3 when open",
+            output=True,
+        ),
+        Property(
+            "App::PropertyDistance",
+            "CentroidY",
+            "Result",
+            "Centroid from the middle of b",
+            output=True,
+        ),
+        Property(
+            "App::PropertyDistance",
+            "CentroidZ",
+            "Result",
+            "Centroid from the middle of h",
+            output=True,
+        ),
+        Property(
+            "App::PropertyAngle",
+            "PrincipalAngle",
+            "Result",
+            "Angle from y to the axis of the largest second moment",
+            output=True,
+        ),
         Property(_FLOAT, "MassPerMetre", "Result", "kg/m", output=True),
-        Property(_FLOAT, "PaintedAreaPerMetre", "Result",
-                 "m2/m; of a closed section its outside", output=True),
-        Property("App::PropertyStringList", "Slenderness", "Result",
-                 "Width over thickness of each flat part, and its class in compression by each "
-                 "rule pack", output=True),
+        Property(
+            _FLOAT,
+            "PaintedAreaPerMetre",
+            "Result",
+            "m2/m; of a closed section its outside",
+            output=True,
+        ),
+        Property(
+            "App::PropertyStringList",
+            "Slenderness",
+            "Result",
+            "Width over thickness of each flat part, and its class in compression by each "
+            "rule pack",
+            output=True,
+        ),
     )
 
     def set_up(self, obj):
@@ -95,12 +210,17 @@ class SectionSpec(Proxy):
     def build(self, obj):
         section = value(obj)
         rings = [section.corners] if section.closed else section_polygons(section).tolist()
-        wires = [Part.makePolygon([FreeCAD.Vector(0, y, z) for y, z in (*ring, ring[0])])
-                 for ring in rings]
+        wires = [
+            Part.makePolygon([FreeCAD.Vector(0, y, z) for y, z in (*ring, ring[0])])
+            for ring in rings
+        ]
         obj.Shape = wires[0] if section.closed else Part.Compound(wires)
         found = section_properties(section)
         obj.Area, obj.Iy, obj.Iz, obj.Iyz = found.area, found.iy, found.iz, found.iyz
-        obj.J, obj.PrincipalAngle = found.j, FreeCAD.Units.Quantity(f"{found.angle!r} rad")
+        obj.TorsionConstant, obj.PrincipalAngle = (
+            found.j,
+            FreeCAD.Units.Quantity(f"{found.angle!r} rad"),
+        )
         obj.CentroidY, obj.CentroidZ = found.centroid
         obj.MassPerMetre = found.mass_per_length * 1e3
         obj.PaintedAreaPerMetre = found.painted_area * 1e-3
@@ -120,21 +240,23 @@ def _slenderness(part, material) -> str:
 
 def value(obj) -> core_section.Section:
     """The core section of a SectionSpec; raises BendTorsionError for sizes that make none."""
-    t = obj.t.Value
+    t = obj.Thickness.Value
     material = core_section.Material(
-        obj.Material, obj.Density * 1e-9, obj.E.getValueAs("MPa").Value,
-        obj.fy.getValueAs("MPa").Value,
+        obj.Material,
+        obj.Density * 1e-9,
+        obj.YoungsModulus.getValueAs("MPa").Value,
+        obj.YieldStrength.getValueAs("MPa").Value,
     )
     sizes = {
-        "h": obj.h.Value,
-        "b": obj.b.Value,
-        "b_bottom": obj.b_bottom.Value or obj.b.Value,
-        "t_top": obj.t_top.Value or t,
-        "t_bottom": obj.t_bottom.Value or t,
-        "t_web": obj.t_web.Value or t,
-        "gap": obj.gap1.Value,
-        "gap1": obj.gap1.Value,
-        "gap2": obj.gap2.Value,
+        "h": obj.Height.Value,
+        "b": obj.Breadth.Value,
+        "b_bottom": obj.BreadthBottom.Value or obj.Breadth.Value,
+        "t_top": obj.ThicknessTop.Value or t,
+        "t_bottom": obj.ThicknessBottom.Value or t,
+        "t_web": obj.ThicknessWeb.Value or t,
+        "gap": obj.Gap1.Value,
+        "gap1": obj.Gap1.Value,
+        "gap2": obj.Gap2.Value,
     }
     if obj.Type in AUTOMATIC_JOINT:
         chosen = obj.CornerJoint
@@ -143,12 +265,17 @@ def value(obj) -> core_section.Section:
         sizes["corners"] = [(corner.y, corner.z) for corner in obj.PolygonCorners]
         given = list(obj.PolygonThicknesses)
         if given and len(given) != len(obj.PolygonCorners):
-            raise BendTorsionError(error(
-                "section-thicknesses", obj.Label, "a polygon needs a thickness per side, or none",
-                "fill in PolygonThicknesses for each side, or empty it",
-                position="property PolygonThicknesses", value=len(given),
-                limit=len(obj.PolygonCorners),
-            ))
+            raise BendTorsionError(
+                error(
+                    "section-thicknesses",
+                    obj.Label,
+                    "a polygon needs a thickness per side, or none",
+                    "fill in PolygonThicknesses for each side, or empty it",
+                    position="property PolygonThicknesses",
+                    value=len(given),
+                    limit=len(obj.PolygonCorners),
+                )
+            )
         sizes["thickness"] = given or t
     if obj.Type == "strips":
         sizes["rows"] = [
@@ -164,9 +291,14 @@ def _strip_row(name: str, number: int, line: str) -> StripRow:
         face, letter, *figures = cells[:7]
         y1, z1, y2, z2, t = map(float, figures)
     except ValueError as problem:
-        raise BendTorsionError(error(
-            "strip-row", name, f"cannot read the strip: {problem}",
-            "write face, letter, y1, z1, y2, z2, t, side, stop1, stop2",
-            position=f"strip {number}", value=line,
-        )) from problem
+        raise BendTorsionError(
+            error(
+                "strip-row",
+                name,
+                f"cannot read the strip: {problem}",
+                "write face, letter, y1, z1, y2, z2, t, side, stop1, stop2",
+                position=f"strip {number}",
+                value=line,
+            )
+        ) from problem
     return StripRow(face, letter, y1, z1, y2, z2, t, *(cells[7:10] or ["middle"]))

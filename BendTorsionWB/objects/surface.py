@@ -23,16 +23,22 @@ class Surface(Proxy):
 
     TYPE = "Surface"
     PROPERTIES = (
-        Property("App::PropertyEnumeration", "Kind", "Surface", "Kind of surface", "ellipsoid",
-                 KINDS),
-        Property("App::PropertyLinkSub", "Source", "Surface",
-                 "The face, or a whole shape of faces, for kind `face`"),
+        Property(
+            "App::PropertyEnumeration", "Kind", "Surface", "Kind of surface", "ellipsoid", KINDS
+        ),
+        Property(
+            "App::PropertyLinkSub",
+            "Source",
+            "Surface",
+            "The face, or a whole shape of faces, for kind `face`",
+        ),
         Property(_LENGTH, "a", "Surface", "Half-axis along x (ellipsoid)", 40000.0),
         Property(_LENGTH, "b", "Surface", "Half-axis along y (ellipsoid)", 30000.0),
         Property(_LENGTH, "c", "Surface", "Half-axis along z (ellipsoid)", 20000.0),
         Property(_LENGTH, "R", "Surface", "Radius of the circle the tube follows (torus)", 0.0),
-        Property(_LENGTH, "r", "Surface", "Radius (sphere, cylinder, cone at z = 0, torus tube)",
-                 0.0),
+        Property(
+            _LENGTH, "r", "Surface", "Radius (sphere, cylinder, cone at z = 0, torus tube)", 0.0
+        ),
         Property("App::PropertyAngle", "angle", "Surface", "Half angle (cone)", 0.0),
         Property(_DISTANCE, "x", "Surface", "Origin", 0.0),
         Property(_DISTANCE, "y", "Surface", "Origin", 0.0),
@@ -67,8 +73,13 @@ def source_shape(obj) -> Part.Shape | None:
         return None
     if obj.Source is None:
         raise BendTorsionError(
-            error("link-missing", obj.Label, "the face is not set", "choose a face",
-                  position="property Source")
+            error(
+                "link-missing",
+                obj.Label,
+                "the face is not set",
+                "choose a face",
+                position="property Source",
+            )
         )
     return picked_shape(obj, obj.Source, "face")
 
@@ -78,16 +89,26 @@ def picked_shape(obj, source, what: str) -> Part.Shape:
     target, names = source
     if not hasattr(target, "Shape") or target.Shape.isNull():
         raise BendTorsionError(
-            error("source-without-shape", obj.Label, f"{target.Label} has no shape",
-                  f"choose a {what}", position="property Source")
+            error(
+                "source-without-shape",
+                obj.Label,
+                f"{target.Label} has no shape",
+                f"choose a {what}",
+                position="property Source",
+            )
         )
     names = [name for name in names if name]
     try:
         shapes = [target.Shape.getElement(name) for name in names] or [target.Shape]
-    except Exception as problem:  # noqa: BLE001 - OCC raises its own kinds here
+    except Exception as problem:
         raise BendTorsionError(
-            error("source-lost", obj.Label, f"{target.Label} no longer has {' '.join(names)}",
-                  f"choose the {what} again", position="property Source")
+            error(
+                "source-lost",
+                obj.Label,
+                f"{target.Label} no longer has {' '.join(names)}",
+                f"choose the {what} again",
+                position="property Source",
+            )
         ) from problem
     shapes = [shape.copy() for shape in shapes]
     outer = target.getGlobalPlacement().multiply(target.Placement.inverse())
@@ -108,5 +129,3 @@ def _sizes(obj) -> dict[str, float]:
 
 def _origin(obj) -> tuple[float, float, float]:
     return obj.x.Value, obj.y.Value, obj.z.Value
-
-

@@ -17,20 +17,50 @@ class Unfold(Proxy):
     TYPE = "Unfold"
     PROPERTIES = (
         Property("App::PropertyLink", "Plates", "Unfold", "The plates laid flat"),
-        Property("App::PropertyEnumeration", "Mode", "Unfold",
-                 "edges: both long edges keep their length; energy: least strain with straight "
-                 "lines; elastic: least strain", "edges", MODES),
-        Property("App::PropertyStringList", "Marks", "Result", "Position marks, as the wires",
-                 output=True),
-        Property("App::PropertyFloatList", "Areas", "Result", "Net area of each pattern, mm2",
-                 output=True),
-        Property("App::PropertyStringList", "Forming", "Result",
-                 "Forming class of each plate: flat, elastic, cold or hot", output=True),
-        Property("App::PropertyFloat", "LengthErrorMax", "Result",
-                 "Largest flat minus true length over edges, lines and diagonals, mm",
-                 output=True),
-        Property("App::PropertyFloat", "StrainMax", "Result",
-                 "Largest strain of laying a plate flat", output=True),
+        Property(
+            "App::PropertyEnumeration",
+            "Mode",
+            "Unfold",
+            "edges: both long edges keep their length; energy: least strain with straight "
+            "lines; elastic: least strain",
+            "edges",
+            MODES,
+        ),
+        Property(
+            "App::PropertyStringList",
+            "Marks",
+            "Result",
+            "Position marks, as the wires",
+            output=True,
+        ),
+        Property(
+            "App::PropertyFloatList",
+            "Areas",
+            "Result",
+            "Net area of each pattern, mm2",
+            output=True,
+        ),
+        Property(
+            "App::PropertyStringList",
+            "Forming",
+            "Result",
+            "Forming class of each plate: flat, elastic, cold or hot",
+            output=True,
+        ),
+        Property(
+            "App::PropertyFloat",
+            "LengthErrorMax",
+            "Result",
+            "Largest flat minus true length over edges, lines and diagonals, mm",
+            output=True,
+        ),
+        Property(
+            "App::PropertyFloat",
+            "StrainMax",
+            "Result",
+            "Largest strain of laying a plate flat",
+            output=True,
+        ),
     )
 
     def build(self, obj):

@@ -104,15 +104,21 @@ class _Text:
         self.pcurves, self.curves, self.surfaces, self.shapes = [], [], [], []
 
     def whole(self) -> str:
-        return "".join([
-            "\nCASCADE Topology V1, (c) Matra-Datavision\nLocations 0\n",
-            f"Curve2ds {len(self.pcurves)}\n", *self.pcurves,
-            f"Curves {len(self.curves)}\n", *self.curves,
-            "Polygon3D 0\nPolygonOnTriangulations 0\n",
-            f"Surfaces {len(self.surfaces)}\n", *self.surfaces,
-            f"Triangulations 0\n\nTShapes {self.total}\n", *self.shapes,
-            "\n+1 0 \n",
-        ])
+        return "".join(
+            [
+                "\nCASCADE Topology V1, (c) Matra-Datavision\nLocations 0\n",
+                f"Curve2ds {len(self.pcurves)}\n",
+                *self.pcurves,
+                f"Curves {len(self.curves)}\n",
+                *self.curves,
+                "Polygon3D 0\nPolygonOnTriangulations 0\n",
+                f"Surfaces {len(self.surfaces)}\n",
+                *self.surfaces,
+                f"Triangulations 0\n\nTShapes {self.total}\n",
+                *self.shapes,
+                "\n+1 0 \n",
+            ]
+        )
 
     def shape(self, text: str) -> int:
         self.shapes.append(text)
@@ -145,12 +151,18 @@ class _Text:
         lengths = np.sqrt(np.einsum("kjx,kjx->kj", steps, steps))
         if lengths.min() <= TOLERANCE:
             k, j = np.argwhere(lengths <= TOLERANCE)[0]
-            raise BendTorsionError(error(
-                "solid-rails-meet", name, "two neighbouring edges of the solid meet",
-                "give the plate a breadth and a thickness there",
-                position=f"ring {k + 1}, rails {j + 1} and {following[j] + 1}",
-                value=float(lengths[k, j]), limit=TOLERANCE, unit="mm",
-            ))
+            raise BendTorsionError(
+                error(
+                    "solid-rails-meet",
+                    name,
+                    "two neighbouring edges of the solid meet",
+                    "give the plate a breadth and a thickness there",
+                    position=f"ring {k + 1}, rails {j + 1} and {following[j] + 1}",
+                    value=float(lengths[k, j]),
+                    limit=TOLERANCE,
+                    unit="mm",
+                )
+            )
         directions = steps / lengths[..., None]
 
         # Surfaces come first: edges name those they bound.
@@ -182,9 +194,11 @@ class _Text:
         along = [
             [
                 self.edge(
-                    rails[k][j], f"{u0!r} {u1!r}",
+                    rails[k][j],
+                    f"{u0!r} {u1!r}",
                     [("1 0 0 1 0\n", faces[k][j]), ("1 0 1 1 0\n", faces[k][j - 1])],
-                    vertices[k][j], vertices[k + 1][j],
+                    vertices[k][j],
+                    vertices[k + 1][j],
                 )
                 for j in range(count)
             ]
@@ -196,7 +210,8 @@ class _Text:
                 f"+{along[k][j]} 0 +{across[k + 1][j]} 0 "
                 f"-{along[k][following[j]]} 0 -{across[k][j]} 0 ",
             )
-            for k in range(len(pieces)) for j in range(count)
+            for k in range(len(pieces))
+            for j in range(count)
         ]
         start, end = [
             self.face(caps[k][0], "".join(f"+{edge} 0 " for edge in across[k])) for k in caps
@@ -212,7 +227,7 @@ class _Text:
         table = "".join(map("%r %d\n".__mod__, pairs))
         count, n, _ = poles.shape
         points = list(map("%.17g %.17g %.17g ".__mod__, map(tuple, poles.reshape(-1, 3).tolist())))
-        lines = [points[j * n:(j + 1) * n] for j in range(count)]
+        lines = [points[j * n : (j + 1) * n] for j in range(count)]
         curve = f"7 0 0 3 {n} {len(values)} %s\n{table}"
         surface = f"9 0 0 0 0 3 1 {n} 2 {len(values)} 2 %s\n{table}0 2\n1 2\n"
         return [curve % "".join(line) for line in lines], [
@@ -227,11 +242,16 @@ class _Text:
         normals = _area_vector(centred)
         areas = np.sqrt(np.einsum("kx,kx->k", normals, normals))
         if (areas <= TOLERANCE * lengths.sum(1)).any():
-            raise BendTorsionError(error(
-                "solid-end-without-area", name, "an end of the solid has no area",
-                "give the plate a breadth and a thickness there",
-                value=float(areas.min()), unit="mm²",
-            ))
+            raise BendTorsionError(
+                error(
+                    "solid-end-without-area",
+                    name,
+                    "an end of the solid has no area",
+                    "give the plate a breadth and a thickness there",
+                    value=float(areas.min()),
+                    unit="mm²",
+                )
+            )
         normals = normals / areas[:, None]
         heights = np.einsum("kjx,kx->kj", centred, normals)
         # The projections of the corners on the mean plane: x towards the second one.
@@ -243,7 +263,11 @@ class _Text:
         lines = np.concatenate([centred @ axes, directions @ axes], axis=2).tolist()
         out = []
         for ring, frame, line, sides, height in zip(
-            rings.tolist(), frames, lines, lengths.tolist(), np.abs(heights).max(1).tolist(),
+            rings.tolist(),
+            frames,
+            lines,
+            lengths.tolist(),
+            np.abs(heights).max(1).tolist(),
             strict=True,
         ):
             if height <= PLANE_TOLERANCE:
@@ -255,10 +279,17 @@ class _Text:
                 turns = ((0, 0, 1, 0), (1, 0, 1, 1), (1, 1, 0, 1), (0, 1, 0, 0))
                 traces = [_trace(*turn, side) for turn, side in zip(turns, sides, strict=True)]
             else:
-                raise BendTorsionError(error(
-                    "solid-end-not-plane", name, "the corners of an end do not lie in one plane",
-                    "end the rails in one plane", value=height, limit=PLANE_TOLERANCE, unit="mm",
-                ))
+                raise BendTorsionError(
+                    error(
+                        "solid-end-not-plane",
+                        name,
+                        "the corners of an end do not lie in one plane",
+                        "end the rails in one plane",
+                        value=height,
+                        limit=PLANE_TOLERANCE,
+                        unit="mm",
+                    )
+                )
             out.append((self.surface(surface), traces))
         return out
 
@@ -280,7 +311,9 @@ def _checked(pieces: Sequence[Piece], name: str) -> list[Piece]:
         if not (np.isfinite(knots).all() and np.isfinite(poles).all()):
             raise ValueError(f"{name}, piece {k}: knots or poles are not finite")
         if (
-            (np.diff(knots) < 0).any() or knots[0] != knots[3] or knots[-1] != knots[-4]
+            (np.diff(knots) < 0).any()
+            or knots[0] != knots[3]
+            or knots[-1] != knots[-4]
             or (knots[4:-2] == knots[2:-4]).any()
         ):
             raise ValueError(f"{name}, piece {k}: knots are not cubic, clamped and smooth inside")
@@ -290,11 +323,18 @@ def _checked(pieces: Sequence[Piece], name: str) -> list[Piece]:
                 raise ValueError(f"{name}, piece {k}: {len(poles)} rails after {len(last)}")
             gap = float(np.abs(last[:, -1] - poles[:, 0]).max())
             if gap > TOLERANCE:
-                raise BendTorsionError(error(
-                    "solid-pieces-apart", name, "a piece does not start where the last one ends",
-                    "build neighbouring pieces on the same end points",
-                    position=f"piece {k}", value=gap, limit=TOLERANCE, unit="mm",
-                ))
+                raise BendTorsionError(
+                    error(
+                        "solid-pieces-apart",
+                        name,
+                        "a piece does not start where the last one ends",
+                        "build neighbouring pieces on the same end points",
+                        position=f"piece {k}",
+                        value=gap,
+                        limit=TOLERANCE,
+                        unit="mm",
+                    )
+                )
             if gap:
                 poles = poles.copy()
                 poles[:, 0] = last[:, -1]
@@ -317,8 +357,15 @@ def _handedness(pieces: Sequence[Piece], name: str) -> float:
     volume = float(0.5 * np.einsum("ix,ix->", areas[1:] + areas[:-1], steps))
     limit = TOLERANCE * float(np.ptp(centres, axis=0).max() * np.ptp(rings[0], axis=0).max())
     if abs(volume) <= limit:
-        raise BendTorsionError(error(
-            "solid-without-volume", name, "the solid has no volume", "check breadth and thickness",
-            value=volume, limit=limit, unit="mm³",
-        ))
+        raise BendTorsionError(
+            error(
+                "solid-without-volume",
+                name,
+                "the solid has no volume",
+                "check breadth and thickness",
+                value=volume,
+                limit=limit,
+                unit="mm³",
+            )
+        )
     return volume

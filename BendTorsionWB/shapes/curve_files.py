@@ -28,7 +28,12 @@ def part_axis(path: str | os.PathLike, name: str = "", object: str = "axis") -> 
     if not loose:
         file = Path(path).name
         raise BendTorsionError(
-            error("axis-file-empty", object, f"{file}: there is no curve of its own in it",
-                  "export the axis as a wire or an edge", value=name or file)
+            error(
+                "axis-file-empty",
+                object,
+                f"{file}: there is no curve of its own in it",
+                "export the axis as a wire or an edge",
+                value=name or file,
+            )
         )
     return AxisSource(name or Path(path).stem, curve=curve_from_part(Part.Compound(loose), object))

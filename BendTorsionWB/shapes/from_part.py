@@ -39,9 +39,7 @@ def surface_from_part(shape: Part.Shape, object: str = "surface") -> PatchSurfac
         raise BendTorsionError(
             error("no-face", object, "the shape has no faces", "choose a face, shell or solid")
         )
-    patches = [
-        patch_from_face(face, object, f"Face{k + 1}") for k, face in enumerate(shape.Faces)
-    ]
+    patches = [patch_from_face(face, object, f"Face{k + 1}") for k, face in enumerate(shape.Faces)]
     return PatchSurface(tuple(part for patch in patches for part in smooth_patches(patch, CREASE)))
 
 
@@ -68,8 +66,13 @@ def patch_from_face(face: Part.Face, object: str = "surface", position: str = ""
         weights = np.array(surface.getWeights(), float)
     except (Part.OCCError, RuntimeError, ValueError, AttributeError, IndexError) as problem:
         raise BendTorsionError(
-            error("face-conversion", object, f"the face is no usable surface: {problem}",
-                  "rebuild the face or choose another", position=position)
+            error(
+                "face-conversion",
+                object,
+                f"the face is no usable surface: {problem}",
+                "rebuild the face or choose another",
+                position=position,
+            )
         ) from problem
     patch = NurbsPatch(
         surface.UDegree,
@@ -99,8 +102,8 @@ def _trim(face: Part.Face, patch: NurbsPatch) -> Trim | None:
     near = _ALONG_BORDER * (high - low)
     along = [
         any(
-            np.ptp(line[:, k]) <= near[k] and min(abs(line[0, k] - end[k]) for end in (low, high))
-            <= near[k]
+            np.ptp(line[:, k]) <= near[k]
+            and min(abs(line[0, k] - end[k]) for end in (low, high)) <= near[k]
             for k in (0, 1)
         )
         for line in lines
@@ -139,8 +142,14 @@ def curve_from_part(shape: Part.Shape, object: str = "axis") -> Curve:
     chains = Part.sortEdges(edges)
     if len(chains) != 1:
         raise BendTorsionError(
-            error("edge-chain", object, f"the edges form {len(chains)} chains, not one",
-                  "select single edges, or edges that meet end to end", value=len(chains), limit=1)
+            error(
+                "edge-chain",
+                object,
+                f"the edges form {len(chains)} chains, not one",
+                "select single edges, or edges that meet end to end",
+                value=len(chains),
+                limit=1,
+            )
         )
     splines = [_spline(edge, object, f"Edge{k + 1}") for k, edge in enumerate(chains[0])]
     degree = max(spline.Degree for spline in splines)
@@ -165,8 +174,13 @@ def _spline(edge: Part.Edge, object: str, position: str) -> Part.BSplineCurve:
             spline.setNotPeriodic()
     except (Part.OCCError, RuntimeError, ValueError, AttributeError, IndexError) as problem:
         raise BendTorsionError(
-            error("edge-conversion", object, f"the edge is no usable curve: {problem}",
-                  "rebuild the edge or choose another", position=position)
+            error(
+                "edge-conversion",
+                object,
+                f"the edge is no usable curve: {problem}",
+                "rebuild the edge or choose another",
+                position=position,
+            )
         ) from problem
     if edge.Orientation == "Reversed":
         spline.reverse()
@@ -197,9 +211,16 @@ def _joined(curves: list[Curve], lengths: list[float], object: str) -> Curve:
             gaps = np.linalg.norm(curve.poles[[0, -1]] - poles[-1][-1], axis=1)
             if gaps.min() > CHAIN_GAP:
                 raise BendTorsionError(
-                    error("edge-chain", object, "the edges do not meet end to end",
-                          "close the gap or select single edges", position=f"Edge{k + 1}",
-                          value=float(gaps.min()), limit=CHAIN_GAP, unit="mm")
+                    error(
+                        "edge-chain",
+                        object,
+                        "the edges do not meet end to end",
+                        "close the gap or select single edges",
+                        position=f"Edge{k + 1}",
+                        value=float(gaps.min()),
+                        limit=CHAIN_GAP,
+                        unit="mm",
+                    )
                 )
             if gaps[1] < gaps[0]:
                 curve = _turned(curve)
@@ -215,8 +236,12 @@ def _joined(curves: list[Curve], lengths: list[float], object: str) -> Curve:
         weights.append(weight if k == 0 else weight[1:])
         place = place_next
     weight = np.concatenate(weights)
-    return Curve(degree, np.concatenate(knots), np.concatenate(poles),
-                 None if np.ptp(weight) == 0 else weight)
+    return Curve(
+        degree,
+        np.concatenate(knots),
+        np.concatenate(poles),
+        None if np.ptp(weight) == 0 else weight,
+    )
 
 
 def _turned(curve: Curve) -> Curve:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import locale
 import os
 import re
 import tempfile
@@ -68,7 +69,10 @@ def start_qt():
         # A named platform plug-in: no display is needed, and none is looked for. Qt's remarks on
         # a missing session directory are kept from the console.
         previous = QtCore.qInstallMessageHandler(lambda *_: None)
+        # The application also sets the C library's locale, which the caller's text files go by.
+        characters = locale.setlocale(locale.LC_CTYPE)
         _application = QtGui.QGuiApplication(["BendTorsion", "-platform", "offscreen"])
+        locale.setlocale(locale.LC_CTYPE, characters)
         QtCore.qInstallMessageHandler(previous)
     elif not isinstance(running, QtGui.QGuiApplication):
         raise BendTorsionError(
