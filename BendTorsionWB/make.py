@@ -175,7 +175,8 @@ def make_member(
 ):
     """A Member along an axis with one section per segment.
 
-    segments: one mapping per segment with any of cut (mm), cut_ratio, slope, transition, align,
+    segments: one mapping per segment with any of cut (mm), cut_ratio, cut_by (`place`,
+    `crossing`, `point`), cut_axis (an Axis), cut_point, cut_offset, slope, transition, align,
     align_to, offset_y, offset_z. roll in degrees.
     """
     obj = _new(document, "Part::FeaturePython", name, member_object.Member)
@@ -185,6 +186,10 @@ def make_member(
     names = {
         "cut": "Cut",
         "cut_ratio": "CutRatio",
+        "cut_by": "CutBy",
+        "cut_axis": "CutAxis",
+        "cut_point": "CutPoint",
+        "cut_offset": "CutOffset",
         "slope": "Slope",
         "transition": "Transition",
         "align": "Align",

@@ -13,6 +13,7 @@ from BendTorsionWB.core import detailing, frames
 from BendTorsionWB.core.axis_ends import AxisEnd
 from BendTorsionWB.core.axis_fit import Refinement
 from BendTorsionWB.core.axis_input import AxisInput
+from BendTorsionWB.core.axis_places import crossings
 from BendTorsionWB.core.axis_preset import Preset
 from BendTorsionWB.core.axis_rule import Geodesic, IsoCurve, PlaneSection
 from BendTorsionWB.core.finding import BendTorsionError, error
@@ -40,6 +41,7 @@ class Axis(Proxy):
         framed = frames.frames_of(axis, surface, frame)
         obj.Shape = _shape(obj, axis, framed)
         obj.Length = axis.length
+        obj.CrossingPlaces, obj.CrossingPoints = _crossings(obj, axis)
         obj.SurfaceDistanceRMS, obj.SurfaceDistanceMax = axis.distance_to(surface)
         obj.InSurfaceUncertainty = detailing.uncertainty_of(given, surface).largest
         radius = axis.least_radius[0]
@@ -51,6 +53,24 @@ class Axis(Proxy):
         obj.ControlPoints = [tuple(map(float, point)) for point in axis.control]
         obj.DesignControlPoints = [tuple(map(float, point)) for point in axis.control_design]
         return findings
+
+
+def _crossings(obj, axis: core_axis.Axis) -> tuple[list[float], list[tuple]]:
+    """Places and points of this axis where the axes in CrossingAxes cross it."""
+    found = []
+    for other in obj.CrossingAxes:
+        if getattr(other, "BT_Type", "") != "Axis":
+            raise BendTorsionError(
+                error(
+                    "link-kind",
+                    obj.Label,
+                    f"{other.Label} is not an Axis",
+                    "take it out of CrossingAxes",
+                    position="property CrossingAxes",
+                )
+            )
+        found += crossings(axis, value(other))
+    return [c.first for c in found], [tuple(map(float, c.first_point)) for c in found]
 
 
 def value(obj) -> core_axis.Axis:

@@ -220,6 +220,12 @@ PROPERTIES = (
         "Preset",
         "Camber or erection preset: displacement in x, y, z, mm, one per place",
     ),
+    Property(
+        "App::PropertyLinkList",
+        "CrossingAxes",
+        "Axis",
+        "Axes whose crossings with this one are wanted as control points",
+    ),
     Property(_CHOICE, "Show", "Display", "What the axis shows beside its line", "wire", SHOWN),
     Property(
         "App::PropertyFloat",
@@ -229,6 +235,20 @@ PROPERTIES = (
         0.0,
     ),
     Property(_LENGTH, "Length", "Result", "Length of the axis", output=True),
+    Property(
+        _NUMBERS,
+        "CrossingPlaces",
+        "Result",
+        "Where CrossingAxes cross, in their order: mm from the start",
+        output=True,
+    ),
+    Property(
+        "App::PropertyVectorList",
+        "CrossingPoints",
+        "Result",
+        "The points of this axis at CrossingPlaces",
+        output=True,
+    ),
     Property(
         _LENGTH,
         "SurfaceDistanceRMS",

@@ -8,6 +8,8 @@ import math
 import numpy as np
 
 from BendTorsionWB.core import detailing, zones
+from BendTorsionWB.core.axis import Axis
+from BendTorsionWB.core.axis_places import cut_place
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.core.frames import torsion_angle
 from BendTorsionWB.objects import axis as axis_object
@@ -16,6 +18,9 @@ from BendTorsionWB.objects.proxy import Property, Proxy, add_property, linked
 from BendTorsionWB.shapes import brep
 
 _DISTANCE = "App::PropertyDistance"
+
+
+CUT_BY = ("place", "crossing", "point")
 
 
 class Member(Proxy):
@@ -121,6 +126,18 @@ def segment_properties(count: int) -> tuple[Property, ...]:
                     0.0,
                 ),
                 Property(
+                    "App::PropertyEnumeration",
+                    f"CutBy{k}",
+                    group,
+                    "place: by Cut or CutRatio; crossing: where CutAxis crosses; point: nearest "
+                    "to CutPoint",
+                    "place",
+                    CUT_BY,
+                ),
+                Property("App::PropertyLink", f"CutAxis{k}", group, "The crossing axis"),
+                Property("App::PropertyVector", f"CutPoint{k}", group, "A point near the axis, mm"),
+                Property(_DISTANCE, f"CutOffset{k}", group, "Moves the cut along the axis", 0.0),
+                Property(
                     "App::PropertyFloat",
                     f"Slope{k}",
                     group,
@@ -174,7 +191,7 @@ def value(obj) -> detailing.MemberGeometry:
         )
     target = linked(obj, "Axis", "Axis")
     axis = axis_object.value(target)
-    segments = tuple(_segment(obj, k) for k in range(1, obj.Segments + 1))
+    segments = tuple(_segment(obj, k, axis) for k in range(1, obj.Segments + 1))
     given = detailing.MemberInput(
         obj.Label,
         segments,
@@ -187,20 +204,36 @@ def value(obj) -> detailing.MemberGeometry:
     return detailing.member_of(given, axis, axis_object.surface_value(target))
 
 
-def _segment(obj, k: int) -> zones.Segment:
+def _segment(obj, k: int, axis: Axis) -> zones.Segment:
     section = section_object.value(linked(obj, f"Section{k}", "SectionSpec"))
-    cut, ratio, slope, transition = 0.0, 0.0, zones.DEFAULT_SLOPE, "linear"
+    cut, is_ratio, slope, transition = 0.0, False, zones.DEFAULT_SLOPE, "linear"
     if k > 1:
-        cut, ratio = getattr(obj, f"Cut{k}").Value, getattr(obj, f"CutRatio{k}")
+        cut, is_ratio = _cut(obj, k, axis)
         slope, transition = getattr(obj, f"Slope{k}"), getattr(obj, f"Transition{k}")
     return zones.Segment(
         section,
-        ratio or cut,
+        cut,
         slope,
         getattr(obj, f"Align{k}"),
         getattr(obj, f"AlignTo{k}"),
         getattr(obj, f"OffsetY{k}").Value,
         getattr(obj, f"OffsetZ{k}").Value,
-        bool(ratio),
+        is_ratio,
         transition,
     )
+
+
+def _cut(obj, k: int, axis: Axis) -> tuple[float, bool]:
+    """The cut before segment k, and whether it is a part of the length rather than mm."""
+    by, offset = getattr(obj, f"CutBy{k}"), getattr(obj, f"CutOffset{k}").Value
+    if by == "crossing":
+        other = axis_object.value(linked(obj, f"CutAxis{k}", "Axis"))
+        return cut_place(axis, crossing=other, offset=offset), False
+    if by == "point":
+        point = np.array(tuple(getattr(obj, f"CutPoint{k}")))
+        return cut_place(axis, point=point, offset=offset), False
+    # Cuts beyond the axis are left to the section law, which names the segment.
+    ratio = getattr(obj, f"CutRatio{k}")
+    if not ratio:
+        return getattr(obj, f"Cut{k}").Value + offset, False
+    return (ratio * axis.length + offset, False) if offset else (ratio, True)
