@@ -7,11 +7,13 @@ import argparse
 import os
 import sys
 import traceback
+from importlib.util import find_spec
 
 from BendTorsionWB import __version__, freecad_path
 from BendTorsionWB.core.finding import BendTorsionError
 
 GOOD, FAILED, INVALID = 0, 1, 2
+SHOWN_WARNINGS = 8
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -26,6 +28,14 @@ def main(arguments: list[str] | None = None) -> int:
     except ImportError:
         print(freecad_path.missing(), file=sys.stderr)
         return INVALID
+    for package in ("numpy", "scipy", "ezdxf", "openpyxl"):
+        if find_spec(package) is None:
+            print(
+                f"{package} is not installed for {sys.executable}: on Debian run 'apt-get "
+                f"install python3-{package}' and use /usr/bin/python3",
+                file=sys.stderr,
+            )
+            return INVALID
     try:
         return options.run(options)
     except BendTorsionError as problem:
@@ -74,9 +84,9 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _count(text: str) -> int:
-    value = int(text)
+    value = int(text) if text.isdecimal() else 0
     if value < 1:
-        raise argparse.ArgumentTypeError("must be 1 or more")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 1 up")
     return value
 
 
@@ -97,6 +107,15 @@ def _build(options) -> int:
     for finding in result.findings:
         if finding.severity == "error":
             print(finding.line(), file=sys.stderr)
+    warnings = sorted(
+        (f for f in result.findings if f.severity == "warning"),
+        key=lambda f: not f.code.startswith(("axis", "surface")),
+    )
+    for finding in warnings[:SHOWN_WARNINGS]:
+        print(finding.line(), file=sys.stderr)
+    if len(warnings) > SHOWN_WARNINGS:
+        more = len(warnings) - SHOWN_WARNINGS
+        print(f"and {more} more warnings: see results.xlsx, sheet Checks", file=sys.stderr)
     for line in report.summary_lines(result.records, result.findings):
         print(line)
     seconds = ", ".join(f"{name} {spent:.1f}" for name, spent in result.timing.items())

@@ -220,4 +220,5 @@ def _make_member(
         station_spacing=settings.station_spacing,
         rule_pack=settings.rule_pack,
     )
-    make.make_sheets(document, make.make_unfold(document, plates), settings.project)
+    unfold = make.make_unfold(document, plates)
+    make.make_sheets(document, unfold, settings.project, settings.author)

@@ -233,11 +233,11 @@ def make_unfold(document, plates, mode: str = "edges"):
     return obj
 
 
-def make_sheets(document, unfold, project: str = ""):
+def make_sheets(document, unfold, project: str = "", author: str = ""):
     """The drawing sheets of a member; their pages are made and kept by recompute."""
     name = unfold.Label.replace("patterns", "sheets")
     obj = _new(document, "App::FeaturePython", name, sheet_object.SheetSet)
-    obj.Unfold, obj.Project = unfold, project
+    obj.Unfold, obj.Project, obj.Author = unfold, project, author
     return obj
 
 

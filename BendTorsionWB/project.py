@@ -10,7 +10,7 @@ import tempfile
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -33,6 +33,8 @@ MODEL, STEP, RESULTS, REPORT, TIMING = (
     "report.json",
     "timing.json",
 )
+MANIFEST = ".bendtorsion.json"
+"""Which sheets and cut files in the folder are ours, and of which member."""
 
 Progress = Callable[[str, int, int], None]
 """Called with what is being done, how many are done and how many there are."""
@@ -144,6 +146,7 @@ def build(
     out = Path(out)
     with timing.stage("read"):
         schedule, jobs = read_jobs(path, only)
+        _check_folder(out)
     with pool(workers, len(jobs)) as executor:
         with timing.stage("members"):
             detailed = compute(schedule, jobs, executor, progress)
@@ -158,19 +161,35 @@ def build(
             findings = (*findings, *checked_recompute(document))
         records = tuple(_record(name, item, findings) for name, item in detailed.items())
         healthy = tuple(record for record in records if record.plates)
-        former = _former_files(out, records, bool(only))
+        former = _former_files(out)
         _write(document, schedule, records, healthy, findings, out, made, timing, progress)
     with timing.stage("tidy"):
-        for name in former - set(_own_files(healthy)):
+        own = set(_own_files(healthy))
+        built = {record.member for record in records}
+        kept = {name for name, member in former.items() if only and member not in built}
+        for name in former.keys() - own - kept:
             (out / name).unlink(missing_ok=True)
+        owners = {name: former[name] for name in kept} | _owners(healthy)
+        write_whole(out / MANIFEST, _json(dict(sorted(owners.items()))))
     write_whole(out / TIMING, _json({**timing.stages, "total": sum(timing.stages.values())}))
     return BuildResult(records, tuple(report.all_findings(records, findings)), timing.stages)
 
 
+@contextmanager
 def pool(workers: int | None, jobs: int):
-    """A process pool for `jobs` members, or a context giving None where one worker will do."""
+    """A process pool for `jobs` members, or None where one worker will do; what is still waiting
+    is dropped when the block fails or is interrupted."""
     count = min(workers or os.cpu_count() or 1, max(jobs, 1))
-    return ProcessPoolExecutor(count) if count > 1 else nullcontext()
+    if count == 1:
+        yield None
+        return
+    executor = ProcessPoolExecutor(count)
+    try:
+        yield executor
+    except BaseException:
+        executor.shutdown(wait=False, cancel_futures=True)
+        raise
+    executor.shutdown()
 
 
 def _record(
@@ -205,7 +224,8 @@ def _made_files(
     """Name and content of every sheet and cut file of the records, in order."""
     run = executor.map if executor else map
     plates = [plate for record in records for plate in record.plates]
-    pages = [(record, schedule.settings.project) for record in records]
+    settings = schedule.settings
+    pages = [(record, settings.project, settings.author) for record in records]
     sheets = zip(
         (report.sheet_name(r.member) for r in records), run(_sheets_pdf, pages), strict=True
     )
@@ -244,13 +264,13 @@ def _write(
         report.write_report(records, findings, __version__, out / REPORT)
 
 
-def _sheets_pdf(given: tuple[MemberRecord, str]) -> bytes:
+def _sheets_pdf(given: tuple[MemberRecord, str, str]) -> bytes:
     from BendTorsionWB.sheets.pdf import write_pdf
 
-    record, project = given
+    record, project, author = given
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "sheets.pdf"
-        write_pdf(member_sheets(record, project), path)
+        write_pdf(member_sheets(record, project, author), path)
         return path.read_bytes()
 
 
@@ -263,19 +283,33 @@ def _own_files(healthy: Iterable[MemberRecord]) -> list[str]:
     return names
 
 
-def _former_files(out: Path, records: Sequence[MemberRecord], partial: bool) -> set[str]:
-    """Files of the build before this one in the folder, as its report lists them; with a partial
-    build only those of the members built now."""
+def _owners(healthy: Iterable[MemberRecord]) -> dict[str, str]:
+    return {name: record.member for record in healthy for name in _own_files([record])}
+
+
+def _former_files(out: Path) -> dict[str, str]:
+    """The sheets and cut files earlier builds left in the folder, with their members."""
     try:
-        former = json.loads((out / REPORT).read_text(encoding="utf-8"))["members"]
-        now = {record.member for record in records}
-        members = [m for m in former if not partial or m["member"] in now]
-        names = {p[kind] for m in members for p in m["plates"] for kind in ("dxf", "nc1")}
-        names |= {report.sheet_name(member["member"]) for member in members}
-    except (OSError, ValueError, KeyError, TypeError):
-        return set()
+        former = json.loads((out / MANIFEST).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
     inside = out.resolve()
-    return {n for n in names if isinstance(n, str) and inside in (out / n).resolve().parents}
+    return {
+        name: str(member)
+        for name, member in (former.items() if isinstance(former, dict) else ())
+        if inside in (out / name).resolve().parents
+    }
+
+
+def _check_folder(out: Path) -> None:
+    """Raises BendTorsionError when the folder cannot be written to, before hours of computing."""
+    existing = next(path for path in (out, *out.absolute().parents) if path.exists())
+    if existing.is_dir() and os.access(existing, os.W_OK | os.X_OK):
+        return
+    problem = "cannot be written to" if existing.is_dir() else "is a file, not a folder"
+    raise BendTorsionError(
+        error("file-not-written", str(existing), problem, "choose another folder for --out")
+    )
 
 
 def write_step(document, members: Sequence[str], path: Path) -> None:

@@ -198,6 +198,7 @@ def test_the_report_has_the_keys_promised_and_names_the_files_that_are_there(bui
     for finding in content["findings"]:
         assert set(finding) == FINDING_KEYS and finding["severity"] != "error"
     whole = {"model.FCStd", "model.step", "results.xlsx", "report.json", "timing.json"}
+    whole.add(".bendtorsion.json")
     assert set(files(out)) == named | whole
 
 

@@ -92,7 +92,7 @@ def test_the_table_judges_each_figure_against_its_limit(changes, plate_changes, 
     lines = summary_lines([record], ())
     row = next(line for line in lines if line.startswith("M1"))
     assert row.endswith("ok") == passed
-    assert row.endswith("FAIL") != passed
+    assert passed or row.endswith("FAIL" if "findings" in changes else "over")
     assert lines[-1].startswith(f"{int(passed)} of 1 members within the limits")
     if "findings" not in changes:
         assert ("!" in row) != passed

@@ -19,7 +19,7 @@ from test_sheet import strip_member
 from BendTorsionWB.core.finding import error
 from BendTorsionWB.core.lofting import MemberRecord
 from BendTorsionWB.core.sheet_layout import member_sheets
-from BendTorsionWB.core.sheet_page import BLANK_CELLS, FRAME, TITLE_BLOCK
+from BendTorsionWB.core.sheet_page import FRAME, SIGNED_CELLS, TITLE_BLOCK
 from BendTorsionWB.objects import sheet as sheet_objects
 from BendTorsionWB.sheets.pdf import write_pdf
 from BendTorsionWB.sheets.techdraw import symbol_svg, template_path
@@ -318,11 +318,11 @@ def test_techdraw_page_and_pdf_put_the_same_ink_in_the_same_places(tmp_path):
 def test_template_fields_stand_in_the_blank_cells_of_the_title_block(document):
     template = pages(document)[0].Template
     assert template.Template.endswith("A3_landscape.svg") or template.PageResult
-    assert sorted(template.EditableTexts) == sorted(BLANK_CELLS)
+    assert sorted(template.EditableTexts) == sorted(SIGNED_CELLS)
     assert (template.Width, template.Height) == (420.0, 297.0)
     text = open(template_path(), encoding="utf-8").read()
-    width = (TITLE_BLOCK[2] - TITLE_BLOCK[0]) / len(BLANK_CELLS)
-    for number, cell in enumerate(BLANK_CELLS):
+    width = (TITLE_BLOCK[2] - TITLE_BLOCK[0]) / len(SIGNED_CELLS)
+    for number, cell in enumerate(SIGNED_CELLS):
         left = TITLE_BLOCK[0] + number * width
         x = float(text.split(f'editable="{cell}" x="')[1].split('"')[0])
         assert left < x < left + 3.0

@@ -356,9 +356,13 @@ class DetailedMember:
 def detail(job: MemberJob) -> DetailedMember:
     """Run the whole pipeline for one member; raises BendTorsionError for what cannot be built."""
     axis = axis_of(job.axis, job.surface)
-    geometry = member_of(job.member, axis, job.surface)
-    plates = plates_of(geometry, job.plates)
-    record = record_of(plates, "edges")
+    try:
+        geometry = member_of(job.member, axis, job.surface)
+        plates = plates_of(geometry, job.plates)
+        record = record_of(plates, "edges")
+    except BendTorsionError as problem:
+        # A point out of place often is the cause: what was found on the axis comes first.
+        raise BendTorsionError(dict.fromkeys((*axis.findings, *problem.findings))) from problem
     return DetailedMember(axis, geometry, member_skins(geometry), plates, record)
 
 

@@ -89,7 +89,7 @@ def split_plates(
     for strip in law.strips:
         given = joints.get(strip.face, Joints(())).places(member.length)
         _check_joints(member, strip.face, joints.get(strip.face), findings)
-        cuts[strip.face] = _edges(given, law.joints, member.length)
+        cuts[strip.face] = _edges(given, law.joints, law.folds, member.length)
     _check_lengths(member, cuts, findings)
     if any(f.severity == "error" for f in findings):
         raise BendTorsionError(findings)
@@ -164,9 +164,12 @@ def _with_solved(
     return {**joints, **{face: Joints(places, "mm") for face, places in solved.items()}}
 
 
-def _edges(given: Sequence[float], forced: Sequence[float], length: float) -> np.ndarray:
-    """Plate ends along the axis; a given joint at a forced one is that joint."""
-    own = [g for g in given if all(abs(g - f) > tolerances.SAME_STATION for f in forced)]
+def _edges(
+    given: Sequence[float], forced: Sequence[float], folds: Sequence[float], length: float
+) -> np.ndarray:
+    """Plate ends along the axis; a given joint at a forced one or at a fold is there exactly."""
+    firm = (*forced, *folds)
+    own = [next((f for f in firm if abs(g - f) <= tolerances.SAME_STATION), g) for g in given]
     return np.array(sorted({0.0, length, *own, *forced}))
 
 

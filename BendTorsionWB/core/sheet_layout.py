@@ -40,14 +40,15 @@ POINT_NOTE = (
 )
 
 
-def member_sheets(record: MemberRecord, project: str = "") -> tuple[Sheet, ...]:
-    """All sheets of one member; a record in error gives the one sheet that says so."""
+def member_sheets(record: MemberRecord, project: str = "", author: str = "") -> tuple[Sheet, ...]:
+    """All sheets of one member, drawn by `author`; a record in error gives the one sheet that says
+    so."""
     if has_error(record.findings):
         pages = [_error_page(record)]
     else:
         pages = [*_overview_pages(record), *_pattern_pages(record), *_point_pages(record)]
     return tuple(
-        finished(page, record, project, number, len(pages))
+        finished(page, record, project, author, number, len(pages))
         for number, page in enumerate(pages, start=1)
     )
 

@@ -15,7 +15,7 @@ FRAME = (20.0, 10.0, 410.0, 287.0)  # ISO 5457: 20 mm filing margin, 10 mm elsew
 LEFT, BOTTOM, RIGHT, TOP = FRAME[0] + 3.0, FRAME[1] + 3.0, FRAME[2] - 3.0, FRAME[3] - 3.0
 TITLE_ROW = 8.4
 TITLE_BLOCK = (230.0, 10.0, 410.0, 10.0 + 5 * TITLE_ROW)
-BLANK_CELLS = ("drawn", "checked", "approved", "date", "revision")
+SIGNED_CELLS = ("drawn", "checked", "approved", "date", "revision")
 TEXT = 1.8
 
 
@@ -32,7 +32,9 @@ class Page:
     tables: tuple[Table, ...] = ()
 
 
-def finished(page: Page, record: MemberRecord, project: str, number: int, of: int) -> Sheet:
+def finished(
+    page: Page, record: MemberRecord, project: str, author: str, number: int, of: int
+) -> Sheet:
     """The page with its frame, title block and number."""
     materials = ", ".join(dict.fromkeys(p.material for p in record.plates if p.material))
     marks = ", ".join(page.marks) if len(page.marks) <= 12 else _spanned(page.marks)
@@ -55,7 +57,7 @@ def finished(page: Page, record: MemberRecord, project: str, number: int, of: in
             ("units", "mm", 20.0),
             ("software", f"BendTorsion {__version__}", 50.0),
         ),
-        tuple((name, "", 36.0) for name in BLANK_CELLS),
+        tuple((name, author if name == "drawn" else "", 36.0) for name in SIGNED_CELLS),
     )
     lines, texts = _title_block(rows)
     left, bottom, right, top = FRAME

@@ -73,7 +73,9 @@ def rails_between(
         boundaries.append(tuple(starts[low + 1 : high + 1].tolist()))
         for level in range(3):
             mine = slice(low, high), level, strip
-            block = _Block(member, mitres, mine, low, start, end)
+            block = _Block(
+                member, mitres, mine, _end_reliefs(law, mitres, strip, start, end), low, start, end
+            )
             folds.append(tuple(block.edges[1:-1].tolist()))
             blocks.append(block)
     rails = _evaluated(member, blocks, [span[0] for span in spans])
@@ -87,15 +89,16 @@ class _Block:
     """The nodes of one surface of one strip: s (n,), its cell, and per edge the place on the axis
     it is taken at and its relief (n, 2)."""
 
-    def __init__(self, member: Member, mitres: _Mitres, mine, low: int, start, end):
+    def __init__(self, member: Member, mitres: _Mitres, mine, ends, low: int, start, end):
         places = mitres.places[mine]
         middles = 0.5 * (places[:, 0] + places[:, 1])
         edges = np.concatenate([[start], middles, [end]])
         reach = np.minimum(RELIEF_LENGTH, 0.45 * np.diff(edges))
         count = len(middles)
-        breaks = member.smooth_breaks(
-            edges, [*(edges[1:-1] + reach[1:]), *(edges[1:-1] - reach[:-1])] if count else ()
-        )
+        fades = [*(edges[1:-1] + reach[1:]), *(edges[1:-1] - reach[:-1])] if count else []
+        fades += [edges[0] + reach[0]] if ends[0].any() else []
+        fades += [edges[-1] - reach[-1]] if ends[1].any() else []
+        breaks = member.smooth_breaks(edges, fades)
         nodes = span_nodes(breaks)
         owner = np.searchsorted(edges, 0.5 * (breaks[1:] + breaks[:-1]), side="right") - 1
         self.edges, self.breaks, self.shape = edges, breaks, nodes.shape
@@ -104,21 +107,36 @@ class _Block:
         self.cell = low + owner
         self.shifted = bool(count) and bool((places != middles[:, None]).any())
         self.place = self.relief = None
-        if not count:
+        if not (count or ends[0].any() or ends[1].any()):
             return
         fade_start = (1.0 - (self.s - edges[owner]) / reach[owner]).clip(0.0) ** 3
         fade_end = (1.0 - (edges[owner + 1] - self.s) / reach[owner]).clip(0.0) ** 3
         nothing = np.zeros((1, 2))
 
-        def faded(at_start, at_end):
-            at_start = np.concatenate([nothing, at_start])[owner]
-            at_end = np.concatenate([at_end, nothing])[owner]
+        def faded(at_start, at_end, first=nothing, last=nothing):
+            at_start = np.concatenate([first, at_start])[owner]
+            at_end = np.concatenate([at_end, last])[owner]
             return at_start * fade_start[:, None] + at_end * fade_end[:, None]
 
         if self.shifted:
             shift = places - middles[:, None]
             self.place = self.s[:, None] + faded(shift, shift)
-        self.relief = faded(mitres.relief_after[mine], mitres.relief_before[mine])
+        self.relief = faded(mitres.relief_after[mine], mitres.relief_before[mine], *ends)
+
+
+def _end_reliefs(
+    law, mitres: _Mitres, strip: int, start: float, end: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Reliefs (1, 2) at the ends of a plate whose joint lies on a fold that its neighbours run
+    through: the plate ends square there, but their mitre does not."""
+    starts = [cell.start for cell in law.cells[1:]]
+    reliefs = [np.zeros((1, 2)), np.zeros((1, 2))]
+    for side, (place, given) in enumerate(
+        ((start, mitres.relief_after), (end, mitres.relief_before))
+    ):
+        if place in starts and place not in law.joints:
+            reliefs[side] = given[starts.index(place), 0, strip][None]
+    return tuple(reliefs)
 
 
 def _evaluated(member: Member, blocks: Sequence[_Block], strips: Sequence[int]) -> list[Piecewise]:

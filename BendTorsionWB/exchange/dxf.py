@@ -180,7 +180,12 @@ def _add_lines(space, plate: DevelopedPlate, names: Mapping[str, str], height: f
 
 def _add_points(space, plate: DevelopedPlate, names: Mapping[str, str]) -> None:
     for kind, layer in (("witness", PUNCH), ("arris", REF)):
-        points = [point.flat for point in plate.points if point.kind == kind]
+        points = [
+            point.flat
+            for point in plate.points
+            # Witness points of the end lines lie on the contour: nothing to punch.
+            if point.kind == kind and not (kind == "witness" and point.line.startswith("E"))
+        ]
         flats = np.array(points).reshape(-1, 2)
         for flat in flats[_first_of_their_place(flats)]:
             space.add_point(_place(flat), dxfattribs={"layer": names[layer]})

@@ -45,7 +45,8 @@ def plate_nc1(plate: DevelopedPlate, order: str = "", drawing: str = "") -> byte
     marks += [(fold.label, fold.flat) for fold in plate.folds]
     for _, flat in marks:
         lines += ["PU", *_polyline(_shortened(flat))]
-    witnesses = [point for point in plate.points if point.kind == "witness"]
+    # Those of the end lines lie on the contour.
+    witnesses = [p for p in plate.points if p.kind == "witness" and not p.line.startswith("E")]
     if witnesses:
         lines.append("BO")
         lines += [f"  v {p.flat[0]:9.2f}m{p.flat[1]:9.2f}{0:9.2f}" for p in witnesses]

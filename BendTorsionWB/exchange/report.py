@@ -206,16 +206,18 @@ def summary_lines(records: Sequence[MemberRecord], findings: Iterable[Finding]) 
 
     Columns: axis rms (mm), largest torsion error (degrees), worst flat length error of plates
     without and with folds (mm), and the worst error over its proven bound. A figure beyond its
-    limit carries an exclamation mark.
+    limit carries an exclamation mark and makes the member `over`; an error makes it `FAIL`.
     """
     known = all_findings(records, findings)
     lines = [_table_row([name for name, _, _ in _HEADINGS])]
     lines.append("-" * len(lines[0]))
     good = 0
     for record in records:
-        passed = within_limits(record) and not has_error(findings_of(record, known))
+        failed = not record.plates or has_error(findings_of(record, known))
+        passed = within_limits(record) and not failed
         good += passed
-        lines.append(_table_row([*_facts(record), *_marked(record), "ok" if passed else "FAIL"]))
+        verdict = "FAIL" if failed else "ok" if passed else "over"
+        lines.append(_table_row([*_facts(record), *_marked(record), verdict]))
     lines.append("-" * len(lines[0]))
     plates = [plate for record in records for plate in record.plates]
     length = sum(record.length or 0.0 for record in records) / 1000.0
@@ -224,7 +226,8 @@ def summary_lines(records: Sequence[MemberRecord], findings: Iterable[Finding]) 
     for column, digits in zip(zip(*(_measured(record) for record in records)), _DIGITS):
         value = largest(value for value, _ in column if value is not None)
         worst.append(_figure(value, column[0][1], digits))
-    verdict = "ok" if records and good == len(records) else "FAIL"
+    verdicts = [line.split()[-1] for line in lines[2 : 2 + len(records)]]
+    verdict = next((v for v in ("FAIL", "over") if v in verdicts), "ok" if records else "FAIL")
     total = [f"{len(records)} in all", "", str(len(plates)), f"{length:.3f}", f"{mass:.1f}"]
     lines.append(_table_row([*total, *(worst or [""] * len(_DIGITS)), verdict]))
     limits = [

@@ -4,12 +4,13 @@ same bytes."""
 
 from __future__ import annotations
 
+import hashlib
 import re
+import uuid
 import zipfile
 from pathlib import Path
 
 TIME = "1980-01-01T00:00:00Z"
-UUID = "00000000-0000-0000-0000-000000000000"
 
 
 def timeless_step(content: bytes, name: str, software: str) -> bytes:
@@ -42,12 +43,15 @@ def _timeless_xml(text: str) -> str:
         text = re.sub(
             rf'(<Property name="{stamp}"[^>]*>\s*<String value=")[^"]*', rf"\g<1>{TIME}", text
         )
-    text = re.sub(r'(<Uuid value=")[^"]*', rf"\g<1>{UUID}", text)
     # Objects count their ids on from a random number.
     numbers = [int(n) for n in re.findall(r'<Object type="[^"]*" name="[^"]*" id="(\d+)"', text)]
     first = min(numbers, default=1)
-    return re.sub(
+    text = re.sub(
         r'(<Object type="[^"]*" name="[^"]*" id=")(\d+)',
         lambda match: f"{match.group(1)}{int(match.group(2)) - first + 1}",
         text,
     )
+    # An id of the document's own, from what is in it.
+    text = re.sub(r'(<Uuid value=")[^"]*', r"\g<1>", text)
+    own = uuid.uuid5(uuid.NAMESPACE_OID, hashlib.sha256(text.encode()).hexdigest())
+    return re.sub(r'(<Uuid value=")', rf"\g<1>{own}", text)

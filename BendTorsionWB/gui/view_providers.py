@@ -15,11 +15,35 @@ APPEARANCE = {
 }
 
 
+HIDDEN_AT_FIRST = ("SectionSpec", "Unfold", "PageOutlines")
+"""Flat patterns, pages and section outlines lie about the origin, not where the building is."""
+
+CLAIMED = {
+    "Member": ("PlateSet",),
+    "PlateSet": ("Unfold",),
+    "Unfold": ("SheetSet",),
+    "SheetSet": ("PageOutlines",),
+}
+"""What the tree shows below an object, of the objects that depend on it."""
+
+
 class ViewProvider:
-    """The icon and the look of one object; holds no state."""
+    """The icon and the look of one object and what the tree shows below it; saves no state."""
 
     def __init__(self, view):
         view.Proxy = self
+
+    def attach(self, view):
+        """Remember the object for the tree; FreeCAD calls this for new and restored objects."""
+        self.object = view.Object
+
+    def claimChildren(self):
+        """The objects the tree shows below this one."""
+        obj = getattr(self, "object", None)
+        if obj is None:
+            return []
+        kinds = CLAIMED.get(obj.BT_Type, ())
+        return [user for user in obj.InList if getattr(user, "BT_Type", "") in kinds]
 
     def getIcon(self):
         """Path of the icon in the tree."""
@@ -50,10 +74,13 @@ def attach(obj) -> None:
         colour, transparency = APPEARANCE[obj.BT_Type]
         view.ShapeColor = colour
         view.Transparency = transparency
-    view.Visibility = not _shown_by_its_plates(obj)
+    view.Visibility = _shown(obj)
 
 
-def _shown_by_its_plates(obj) -> bool:
-    return obj.BT_Type == "Member" and any(
+def _shown(obj) -> bool:
+    """Whether an object is to be seen at first: of a member its plates, once it has some."""
+    if obj.BT_Type in HIDDEN_AT_FIRST:
+        return False
+    return obj.BT_Type != "Member" or not any(
         getattr(user, "BT_Type", "") == "PlateSet" for user in obj.InList
     )

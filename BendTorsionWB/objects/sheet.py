@@ -31,13 +31,13 @@ from BendTorsionWB.sheets.techdraw import (
 
 def sheets_of(sheet_set) -> tuple[Sheet, ...]:
     """The sheets of a SheetSet object; one that names the fault when there is nothing to draw."""
-    return _laid_out(_record_of(sheet_set), sheet_set.Project)
+    return _laid_out(_record_of(sheet_set), sheet_set.Project, sheet_set.Author)
 
 
 @lru_cache(maxsize=64)
-def _laid_out(record: MemberRecord, project: str) -> tuple[Sheet, ...]:
+def _laid_out(record: MemberRecord, project: str, author: str) -> tuple[Sheet, ...]:
     # Every page of a set asks for the same sheets in one recompute; records are kept by the memo.
-    return member_sheets(record, project)
+    return member_sheets(record, project, author)
 
 
 def _record_of(sheet_set) -> MemberRecord:
@@ -64,6 +64,7 @@ class SheetSet(Proxy):
     PROPERTIES = (
         Property("App::PropertyLink", "Unfold", "Sheets", "The flat patterns these sheets show"),
         Property("App::PropertyString", "Project", "Sheets", "Project name in the title block"),
+        Property("App::PropertyString", "Author", "Sheets", "Drawn by, in the title block"),
         Property("App::PropertyInteger", "PageCount", "Result", "Number of pages", output=True),
     )
 
