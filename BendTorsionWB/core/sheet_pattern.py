@@ -19,7 +19,14 @@ CAPTION_HEIGHT = 2.5
 MARK_HEIGHT = 3.5
 DRAWN_TOLERANCE = 0.01  # mm on paper between a curve and its drawn polyline
 CLEARANCE = 0.4  # mm between a label and what it must not touch
-TIERS = (1.2, 4.2, 7.2, 10.2)  # mm from a line's end to its label; beyond the first with a leader
+TIERS = (
+    1.2,
+    4.2,
+    7.2,
+    10.2,
+    13.2,
+    16.2,
+)  # mm from a line's end to its label; beyond the first with a leader
 ALONG = (0.5, 0.36, 0.64, 0.22, 0.78, 0.1, 0.9)  # of a line's length, where its label may stand
 
 
@@ -163,22 +170,28 @@ def pattern_block(plate: DevelopedPlate, scale: float) -> Block:
         np.concatenate([edges / scale, rulings / scale, [line.points for line in crosses]])
     )
     size = np.concatenate(plate.outline).max(axis=0) - corner
-    _label_points(plate, labels, corner, scale)
+    left_out = _label_points(plate, labels, corner, scale)
     middle = size / 2.0 / scale
     for fold, ends in zip(plate.folds, folds, strict=True):
         text = f"{fold.label} {np.degrees(fold.angle):.1f}°".replace("-0.0°", "0.0°")
-        if not _label_along(labels, text, ends / scale, None):
-            _label_beyond(labels, text, ends[0] / scale, ends[1] / scale)
+        left_out += not (
+            _label_along(labels, text, ends / scale, None)
+            or _label_beyond(labels, text, ends[0] / scale, ends[1] / scale)
+        )
     for line, ends in zip(plate.lines, stations, strict=True):
         if line.label in named:
             continue
         outer = middle if line.label.startswith("E-") else None
-        _label_along(labels, line.label, ends / scale, outer)
+        left_out += not (
+            _label_along(labels, line.label, ends / scale, outer)
+            or _label_beyond(labels, line.label, ends[0] / scale, ends[1] / scale)
+            or _label_beyond(labels, line.label, ends[1] / scale, ends[0] / scale)
+        )
     lines = [*labels.leaders, *crosses]
     bounds = np.array([*labels.bounds, (0.0, 0.0, *(size / scale))])
     low, high = bounds[:, :2].min(axis=0), bounds[:, 2:].max(axis=0)
     dimensions, figures = _dimensions(size, scale, low[1] - 5.5, high[0] + 5.5)
-    caption = _caption(plate, min(low[0], 0.0), high[1] + 2.5, max(size[0] / scale, 90.0))
+    caption = _caption(plate, left_out, min(low[0], 0.0), high[1] + 2.5, max(size[0] / scale, 90.0))
     texts = (*labels.texts, *figures, *caption)
     boxes = np.array([[*text_box(text).min(axis=0), *text_box(text).max(axis=0)] for text in texts])
     box = (
@@ -191,8 +204,10 @@ def pattern_block(plate: DevelopedPlate, scale: float) -> Block:
     return Block(plate.mark, view, (*lines, *dimensions), texts, box)
 
 
-def _label_points(plate: DevelopedPlate, labels: _Labels, corner, scale: float) -> None:
-    """P labels beyond the ends of their lines, on leaders where crowded, left out when full."""
+def _label_points(plate: DevelopedPlate, labels: _Labels, corner, scale: float) -> int:
+    """P labels beyond the ends of their lines, on leaders where crowded; the number that found no
+    room."""
+    left_out = 0
     lines = {line.label: np.asarray(line.flat, float) - corner for line in plate.lines}
     for point in plate.points:
         if point.kind != "arris" or point.line not in lines:
@@ -200,7 +215,10 @@ def _label_points(plate: DevelopedPlate, labels: _Labels, corner, scale: float) 
         ends = lines[point.line]
         flat = np.asarray(point.flat, float) - corner
         near = int(np.argmin(np.hypot(*(ends - flat).T)))
-        _label_beyond(labels, point.label, ends[near] / scale, ends[1 - near] / scale)
+        left_out += not _label_beyond(
+            labels, point.label, ends[near] / scale, ends[1 - near] / scale
+        )
+    return left_out
 
 
 def _label_beyond(labels: _Labels, label: str, end: np.ndarray, far: np.ndarray) -> bool:
@@ -280,13 +298,14 @@ def _dimensions(size, scale: float, y: float, x: float) -> tuple[list[Polyline],
     return lines, texts
 
 
-def _caption(plate: DevelopedPlate, x: float, y: float, room: float) -> list[Text]:
+def _caption(plate: DevelopedPlate, left_out: int, x: float, y: float, room: float) -> list[Text]:
     """Mark, plate, size, mass and side, above the pattern in one line or two."""
     parts = (
         f"PL {plate.thickness:g}  {plate.material}".rstrip(),
         f"{plate.length:.1f} × {plate.width:.1f}",
         f"{plate.mass:.1f} kg",
-        f"face {plate.face}, seen from {plate.marking_face} (marking face)",
+        f"face {plate.face}, seen from {plate.marking_face} (marking face)"
+        + (f"; labels left out: {left_out}, see the point table" if left_out else ""),
     )
     start = x + text_width(plate.mark, MARK_HEIGHT) + 5.0
     whole = "    ".join(parts)
