@@ -5,12 +5,13 @@ import numpy as np
 import pytest
 from exact_axes import free_form
 
-from BendTorsionWB.core.axis import axis_from_curve
+from BendTorsionWB.core.axis import arc_length_position, axis_from_curve
 from BendTorsionWB.core.axis_input import AxisInput, axis_from
-from BendTorsionWB.core.axis_rule import Geodesic, IsoCurve, PlaneSection
+from BendTorsionWB.core.axis_iso import IsoCurve, iso_curve
+from BendTorsionWB.core.axis_rule import Geodesic, PlaneSection
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.patches import PatchSurface
-from BendTorsionWB.core.surface import Cylinder, Ellipsoid, Flipped, Plane, Sphere, Torus
+from BendTorsionWB.core.surface import Cylinder, Ellipsoid, Flipped, Offset, Plane, Sphere, Torus
 
 HALL = Ellipsoid(40e3, 30e3, 20e3)
 RING = Torus(30e3, 8e3)
@@ -144,7 +145,7 @@ def test_a_geodesic_is_shorter_than_its_neighbours():
         (PlaneSection((0, 0, 0), (0, 0, 1), (40e3, 0, 0), None), "axis-rule-end"),
         (Geodesic((40e3, 0, 0), (40e3, 0, 0.1)), "axis-rule-end"),
         (Geodesic((80e3, 0, 0), (0, 30e3, 0)), "axis-rule-end"),
-        (IsoCurve("u", 0.5), "axis-rule-patch"),
+        (IsoCurve("u", 1.5), "axis-rule-iso"),
     ],
 )
 def test_rules_that_give_no_curve_are_refused(rule, code):
@@ -166,3 +167,33 @@ def test_an_axis_by_rule_is_a_curve_like_any_other():
     axis = by_rule(Geodesic((40e3, 0, 0), (0, 30e3, 0)), HALL, reversed=True)
     again = axis_from_curve("A1", axis.curve)
     assert again.length == pytest.approx(axis.length, abs=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("surface", "held", "at", "length", "point"),
+    [
+        (Sphere(20000.0), "u", 0.25, np.pi * 20000, (0, 20000, 0)),
+        (Sphere(20000.0), "v", 0.75, 2 * np.pi * 20000 * np.sqrt(0.5), None),
+        (Ellipsoid(40e3, 30e3, 20e3), "v", 0.5, None, (-40e3, 0, 0)),
+        (Torus(30e3, 8e3), "u", 0.5, 2 * np.pi * 8e3, (-22e3, 0, 0)),
+        (Torus(30e3, 8e3), "v", 0.25, 2 * np.pi * 30e3, (-30e3, 0, 8e3)),
+    ],
+)
+def test_iso_curves_of_closed_analytic_surfaces_are_exact(surface, held, at, length, point):
+    curve = iso_curve("A1", IsoCurve(held, at), surface)
+    first, last = curve.domain
+    points = curve.evaluate(np.linspace(first, last, 301))[0]
+    assert np.abs(surface.closest(points).distance).max() < 1e-9
+    if length is not None:
+        assert arc_length_position(curve).end == pytest.approx(length, rel=1e-12)
+    if point is not None:
+        assert points[150] == pytest.approx(np.array(point, float), abs=1e-9)
+    half = iso_curve("A1", IsoCurve(held, at, 0.0, 0.5), surface)
+    assert half.evaluate(np.array([half.domain[1]]))[0][0] == pytest.approx(points[150], abs=1e-9)
+
+
+@pytest.mark.parametrize("surface", [Plane(), Cylinder(5000.0), Offset(Sphere(9000.0), 10.0)])
+def test_surfaces_without_bounded_parameters_have_no_iso_curve(surface):
+    with pytest.raises(BendTorsionError) as problem:
+        iso_curve("A1", IsoCurve("u", 0.5), surface)
+    assert [f.code for f in problem.value.findings] == ["axis-rule-patch"]

@@ -316,3 +316,18 @@ def test_a_bad_joint_is_named_on_the_plates_and_leaves_the_member_alone(model):
     model.document.recompute()
     assert member.Status == "ok" and not empty(member)
     assert "face top" in plates.Status and empty(plates) and empty(unfold)
+
+
+@pytest.mark.parametrize("value", [float("nan"), float("inf")])
+def test_a_number_that_is_none_is_an_error_by_name_and_recovers(model, value):
+    _, member, plates, unfold = model.chains["M1"]
+    before = model.figures()
+    for obj, name in ((member, "OffsetZ"), (member, "Slope2"), (model.sections[800], "Gap1")):
+        kept = getattr(obj, name)
+        setattr(obj, name, value)
+        model.document.recompute()
+        assert obj.Status.startswith("error") and name in obj.Status
+        assert "internal" not in plates.Status + unfold.Status and empty(plates)
+        setattr(obj, name, kept)
+        model.document.recompute()
+    assert model.figures() == before

@@ -28,7 +28,7 @@ from .axis_fit import (
 )
 from .curve import Curve
 from .curve_edit import arc_length, turned
-from .finding import Finding, note
+from .finding import BendTorsionError, Finding, error, note, warning
 from .piecewise import Piecewise, resolve
 from .surface import Offset, Surface
 
@@ -173,15 +173,6 @@ def fit_axis(
     target, distance = _target(name, given, surface, fit, offset, findings)
     findings += checked_feet(name, given, numbers, surface, fit, distance)
     kept, merged = merge_close(ring, closed)
-    findings += [
-        note(
-            "axis-point-merged",
-            name,
-            "point is closer to its neighbour than 0.15 of the mean gap and was left out",
-            position=f"point {numbers[index]}",
-        )
-        for index in merged
-    ]
     base = ring[kept]
     if closed:
         base = np.vstack([base, base[:1]])
@@ -192,7 +183,7 @@ def fit_axis(
     through = interpolate(parameters, base, closed, tangents)
     first = Fit(through, parameters, base)
     if refinement != NO_RULES:
-        parameters = refined_parameters(first, refinement, target)
+        parameters = refined_parameters(name, first, refinement, target)
         control = through.evaluate(parameters)[0]
         if closed:
             control[-1] = control[0]
@@ -203,6 +194,7 @@ def fit_axis(
     else:
         moved = np.linalg.norm(target.closest(given).points - given, axis=1)
         final, off = pulled(name, first, target, tolerance, closed, tangents)
+        _check_collapse(name, final.control)
         # Points on the surface are as good as points on its offset: both say what is meant.
         astray = (
             moved
@@ -211,6 +203,7 @@ def fit_axis(
         )
         findings += [*off, *moved_findings(name, given, numbers, astray, tolerance)]
     position = arc_length_position(final.curve, closed)
+    findings += _merged_findings(name, position, ring, numbers, merged)
     findings += checked_shape(name, position, closed)
     return Axis(
         name,
@@ -224,6 +217,47 @@ def fit_axis(
         distance,
         through,
     )
+
+
+def _merged_findings(name: str, position: Piecewise, points, numbers, merged) -> list[Finding]:
+    """One finding per point left out, with how far the axis passes it by."""
+    line = position(np.linspace(position.start, position.end, 4001))
+    findings = []
+    for index in merged:
+        away = float(np.linalg.norm(line - points[index], axis=1).min())
+        moved = away > tolerances.POINT_MOVED_WARNING
+        findings.append(
+            (warning if moved else note)(
+                "axis-point-merged",
+                name,
+                "point is closer to its neighbour than 0.15 of the mean gap and was left out",
+                "delete it, or move its neighbours closer to it",
+                position=f"point {numbers[index]}",
+                value=away,
+                limit=tolerances.POINT_MOVED_WARNING,
+                unit="mm",
+            )
+        )
+    return findings
+
+
+def _check_collapse(name: str, control: np.ndarray) -> None:
+    """Raises BendTorsionError where points pulled onto the surface fall on one place."""
+    gaps = np.linalg.norm(np.diff(control, axis=0), axis=1)
+    if gaps.min() < tolerances.POINTS_COINCIDE:
+        at = control[int(np.argmin(gaps))]
+        raise BendTorsionError(
+            error(
+                "axis-along-normal",
+                name,
+                "points pulled onto the surface fall on one place: the axis runs along the normal",
+                "turn the axis, use fit = keep, or choose another surface",
+                position=f"x, y, z = {at[0]:.0f}, {at[1]:.0f}, {at[2]:.0f} mm",
+                value=float(gaps.min()),
+                limit=tolerances.POINTS_COINCIDE,
+                unit="mm",
+            )
+        )
 
 
 def fit_uncertainty(

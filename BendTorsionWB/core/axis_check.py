@@ -291,16 +291,17 @@ def checked_curve(name: str, curve: Curve, surface: Surface | None) -> tuple[boo
         distance = np.abs(surface.closest(samples).distance)
         limit = max(FAR_FROM_SURFACE, FAR_FROM_SURFACE_RELATIVE * np.ptp(samples, axis=0).max())
         worst = int(np.argmax(distance))
-        if distance[worst] > limit:
+        far = distance[worst] > limit
+        if distance[worst] > tolerances.POINT_MOVED_WARNING:
             findings.append(
                 warning(
                     "axis-far-from-surface",
                     name,
-                    "the axis is far from its surface",
+                    f"the curve {'is far from' if far else 'leaves'} its surface",
                     "choose the surface the axis lies on",
                     position=place(samples[worst]),
                     value=float(distance[worst]),
-                    limit=float(limit),
+                    limit=float(limit if far else tolerances.POINT_MOVED_WARNING),
                     unit="mm",
                 )
             )

@@ -11,11 +11,17 @@ from scipy.interpolate import make_interp_spline
 from . import tolerances
 from .curve import Curve
 from .curve_edit import piece
-from .finding import Finding, warning
+from .finding import BendTorsionError, Finding, error, warning
 from .surface import Surface
 
 LONGEST_PULL = 12
 """Rounds of refinement; each at least halves the spans that miss the tolerance."""
+
+MOST_POINTS = 4000
+"""Control points an axis may have: one every few millimetres is a slip of the pen."""
+
+LEAST_TOLERANCE = 1e-5
+"""mm; what a pull onto a surface can be asked for."""
 
 _SAMPLES = 9
 
@@ -86,8 +92,11 @@ def interpolate(
     return Curve(spline.k, spline.t, spline.c)
 
 
-def refined_parameters(fit: Fit, rules: Refinement, surface: Surface | None) -> np.ndarray:
-    """The fit's parameters with its spans cut into even parts until every rule is kept."""
+def refined_parameters(
+    name: str, fit: Fit, rules: Refinement, surface: Surface | None
+) -> np.ndarray:
+    """The fit's parameters with its spans cut into even parts until every rule is kept; raises
+    BendTorsionError for rules that ask for more than MOST_POINTS."""
     parameters, spans = fit.parameters, np.diff(fit.parameters)
     u = parameters[:-1, None] + spans[:, None] * np.linspace(0.0, 1.0, _SAMPLES)
     points, first, second = (part.reshape(*u.shape, 3) for part in fit.curve.evaluate(u.ravel(), 2))
@@ -108,7 +117,19 @@ def refined_parameters(fit: Fit, rules: Refinement, surface: Surface | None) -> 
         turn = np.abs((np.diff(normal, axis=1) * middle).sum(axis=2)).sum(axis=1)
         need.append(turn / rules.twist_step)
     # A span that keeps its rule to rounding is not cut.
-    counts = np.ceil(np.max(need, axis=0) * (1 - 1e-9)).astype(int)
+    wanted = np.ceil(np.max(need, axis=0) * (1 - 1e-9))
+    if not wanted.sum() <= MOST_POINTS:
+        raise BendTorsionError(
+            error(
+                "axis-too-many-points",
+                name,
+                "the refinement rules ask for too many control points",
+                "use a larger spacing, sag, turn or twist step",
+                value=float(wanted.sum()),
+                limit=MOST_POINTS,
+            )
+        )
+    counts = wanted.astype(int)
     return _subdivided(parameters, counts)
 
 
@@ -122,6 +143,18 @@ def pulled(
 ) -> tuple[Fit, list[Finding]]:
     """The fit with its points pulled onto the surface, and more of them, taken on the first fit,
     until a quarter, half and three quarters of every span are within `tolerance` of it."""
+    if not tolerance >= LEAST_TOLERANCE:
+        raise BendTorsionError(
+            error(
+                "axis-tolerance",
+                name,
+                "the tolerance of the pull is too small",
+                "use 0.005 mm",
+                value=float(tolerance),
+                limit=LEAST_TOLERANCE,
+                unit="mm",
+            )
+        )
     fractions = np.array([0.25, 0.5, 0.75])
     parameters = first.parameters
     for _ in range(LONGEST_PULL):
@@ -139,6 +172,8 @@ def pulled(
         fit = Fit(curve, parameters, control)
         if (counts == 1).all():
             return fit, []
+        if counts.sum() > MOST_POINTS:
+            break
         parameters = _subdivided(parameters, counts)
     return fit, [
         warning(

@@ -10,12 +10,13 @@ import numpy as np
 from . import tolerances
 from .axis import Axis, Refinement, axis_from_curve, fit_axis, fit_uncertainty
 from .axis_ends import AxisEnd, with_ends
+from .axis_iso import IsoCurve
 from .axis_order import chain_points, chain_segments, rule_turns
 from .axis_preset import Preset, with_preset
-from .axis_rule import Geodesic, IsoCurve, PlaneSection, curve_by_rule
+from .axis_rule import Geodesic, PlaneSection, curve_by_rule
 from .curve import Curve
 from .curve_edit import polyline_vertices
-from .finding import Finding, note
+from .finding import BendTorsionError, Finding, error, note
 from .surface import Surface
 
 ORDERS = ("given", "nearest")
@@ -108,13 +109,29 @@ def axis_from(given: AxisInput, surface: Surface | None) -> Axis:
             numbers=row.numbers,
         ).with_findings(row.findings)
     elif given.curve is not None:
+        _check_exact(given)
         axis = axis_from_curve(given.name, given.curve, surface)
     else:
+        _check_exact(given)
         axis = axis_from_curve(given.name, *curve_by_rule(given.name, given.rule, surface))
     if (given.direction == "rule" and rule_turns(axis)) != given.reversed:
         axis = axis.turned()
     axis = with_ends(axis, given.start, given.end, surface if given.fit != "keep" else None)
     return axis if given.preset is None else with_preset(axis, given.preset)
+
+
+def _check_exact(given: AxisInput) -> None:
+    """Raises BendTorsionError where a curve used as it is is asked to be another."""
+    if given.fit == "offset":
+        raise BendTorsionError(
+            error(
+                "axis-exact-curve",
+                given.name,
+                "a curve is used as it is: it cannot be held at a distance from the surface",
+                "give points, or choose a surface at that offset",
+                value="fit = offset",
+            )
+        )
 
 
 def ordered_points(given: AxisInput) -> OrderedPoints | None:

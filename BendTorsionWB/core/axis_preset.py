@@ -96,6 +96,21 @@ def _checked(axis: Axis, preset: Preset):
                 unit="mm",
             )
         )
+    if axis.closed and len(s) > 1:
+        first, last = (np.abs(s - end) <= tolerances.SAME_STATION for end in (0.0, axis.length))
+        if first.any() and last.any():
+            start, end = int(np.argmax(first)), int(np.argmax(last))
+            if not np.allclose(moves[start], moves[end], atol=1e-6):
+                problems.append(
+                    error(
+                        "preset-does-not-close",
+                        axis.name,
+                        "a closed axis starts and ends at one place, but its rows there differ",
+                        "give the first and the last row the same displacement",
+                        position=f"preset row {end + 1}",
+                    )
+                )
+            s, moves = np.delete(s, end), np.delete(moves, end, axis=0)
     order = np.argsort(s, kind="stable")
     twice = np.flatnonzero(np.diff(s[order]) < 1.0)
     for row in order[twice + 1]:

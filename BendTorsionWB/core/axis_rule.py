@@ -6,15 +6,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.interpolate import BSpline, make_interp_spline
+from scipy.interpolate import make_interp_spline
 
 from .axis_check import place
+from .axis_iso import IsoCurve, iso_curve
 from .curve import Curve
-from .curve_edit import curve_through, piece
+from .curve_edit import curve_through
 from .finding import BendTorsionError, Finding, error, warning
-from .nurbs import NurbsPatch
-from .patches import PatchSurface
-from .surface import Flipped, Offset, Surface
+from .surface import Surface
 
 RULE_TOLERANCE = 1e-6
 """mm: curves by rule are followed to this."""
@@ -37,19 +36,6 @@ class PlaneSection:
     start: tuple[float, float, float]
     end: tuple[float, float, float] | None = None
     closed: bool = False
-
-
-@dataclass(frozen=True)
-class IsoCurve:
-    """The exact curve of a constant u (or v) of one patch of a NURBS surface; parameters are
-    fractions 0..1 of the patch's domain. direction: 'u' holds u = `at` and runs along v, 'v' the
-    other; first and last: where it starts and ends along the other parameter."""
-
-    direction: str
-    at: float
-    first: float = 0.0
-    last: float = 1.0
-    patch: int = 0
 
 
 @dataclass(frozen=True)
@@ -253,54 +239,6 @@ def _stepped(corrected, at, along, step, way):
             break
         step *= 0.5
     return new[0], ahead, min(step * (1.5 if turn < 0.4 * _LARGEST_TURN else 1.0), 2000.0)
-
-
-def iso_curve(name: str, rule: IsoCurve, surface: Surface) -> Curve:
-    """The exact NURBS curve of constant u or v on one patch (Piegl & Tiller 1997, ch. 4)."""
-    inner = surface
-    while isinstance(inner, Flipped):
-        inner = inner.surface
-    patches = inner.patches if isinstance(inner, PatchSurface) else ()
-    if isinstance(inner, Offset) or not 0 <= rule.patch < len(patches):
-        raise BendTorsionError(
-            error(
-                "axis-rule-patch",
-                name,
-                "an iso-curve needs a patch of a NURBS surface",
-                "choose a face of the surface, or a plane section",
-                value=rule.patch,
-                limit=len(patches),
-            )
-        )
-    if not (0 <= rule.at <= 1 and 0 <= rule.first < rule.last <= 1):
-        raise BendTorsionError(
-            error(
-                "axis-rule-iso",
-                name,
-                "the iso-curve's parameters are not fractions 0..1",
-                "give 0 <= first < last <= 1",
-                value=rule.at,
-                limit=1.0,
-            )
-        )
-    patch: NurbsPatch = patches[rule.patch]
-    weights = np.ones(patch.poles.shape[:2]) if patch.weights is None else patch.weights
-    poles = np.concatenate([patch.poles * weights[..., None], weights[..., None]], axis=2)
-    along_v = rule.direction == "u"
-    if not along_v:
-        poles = poles.transpose(1, 0, 2)
-    held, run = (0, 1) if along_v else (1, 0)
-    degrees, knots = (patch.degree_u, patch.degree_v), (patch.knots_u, patch.knots_v)
-    low, high = patch.domain[held]
-    row = BSpline(knots[held], poles, degrees[held])(low + rule.at * (high - low))
-    curve = Curve(
-        degrees[run],
-        knots[run],
-        row[:, :3] / row[:, 3:],
-        None if np.ptp(row[:, 3]) == 0 else row[:, 3],
-    )
-    first, last = curve.domain
-    return piece(curve, first + rule.first * (last - first), first + rule.last * (last - first))
 
 
 def geodesic(name: str, rule: Geodesic, surface: Surface) -> tuple[Curve, float]:

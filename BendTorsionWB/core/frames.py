@@ -295,7 +295,8 @@ def _fixed_direction(axis: Axis, given: FrameInput) -> np.ndarray:
 
 def _across(axis, s, x, direction, code, message, mend) -> np.ndarray:
     """direction (n, 3) minus its part along x, unit; an error where little is left."""
-    direction = direction / np.linalg.norm(direction, axis=1, keepdims=True)
+    length = np.linalg.norm(direction, axis=1, keepdims=True)
+    direction = np.divide(direction, length, out=np.zeros_like(direction), where=length > 0)
     z = direction - (direction * x).sum(axis=1, keepdims=True) * x
     size = np.linalg.norm(z, axis=1, keepdims=True)
     if not (size >= STEEPEST_NORMAL).all():

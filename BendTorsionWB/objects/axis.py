@@ -13,9 +13,10 @@ from BendTorsionWB.core import detailing, frames
 from BendTorsionWB.core.axis_ends import AxisEnd
 from BendTorsionWB.core.axis_fit import Refinement
 from BendTorsionWB.core.axis_input import AxisInput
+from BendTorsionWB.core.axis_iso import IsoCurve
 from BendTorsionWB.core.axis_places import crossings
 from BendTorsionWB.core.axis_preset import Preset
-from BendTorsionWB.core.axis_rule import Geodesic, IsoCurve, PlaneSection
+from BendTorsionWB.core.axis_rule import Geodesic, PlaneSection
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.core.frames_law import GivenDirection
 from BendTorsionWB.core.surface_check import surface_findings

@@ -8,6 +8,7 @@ stale shapes. So errors become findings and an empty shape, and dependants run a
 from __future__ import annotations
 
 import json
+import math
 import traceback
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -94,6 +95,7 @@ class Proxy:
     def execute(self, obj) -> None:
         """Recompute; never raises."""
         try:
+            check_numbers(obj, self.declared(obj))
             findings = tuple(self.build(obj))
         except BendTorsionError as problem:
             findings = problem.findings
@@ -143,6 +145,23 @@ def add_property(obj, declared: Property) -> None:
         setattr(obj, declared.name, list(declared.choices))
     if declared.default is not None:
         setattr(obj, declared.name, declared.default)
+
+
+def check_numbers(obj, declared: Iterable[Property]) -> None:
+    """Raises BendTorsionError for a single number that is not finite; lists are the core's."""
+    for item in declared:
+        value = None if item.output else getattr(obj, item.name, None)
+        number = getattr(value, "Value", value)
+        if isinstance(number, float) and not math.isfinite(number):
+            raise BendTorsionError(
+                error(
+                    "not-a-number",
+                    obj.Label,
+                    f"{item.name} is not a finite number",
+                    "give a number",
+                    position=f"property {item.name}",
+                )
+            )
 
 
 def clear_outputs(obj, declared: Iterable[Property]) -> None:
