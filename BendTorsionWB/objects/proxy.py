@@ -8,7 +8,6 @@ stale shapes. So errors become findings and an empty shape, and dependants run a
 from __future__ import annotations
 
 import json
-import math
 import traceback
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -23,6 +22,7 @@ READ_ONLY = 1
 HIDDEN = 4
 FROM_RESTORE_NO_RECOMPUTE = 8
 OUTPUT = 8
+LARGEST_NUMBER = 1e12
 
 
 @dataclass(frozen=True)
@@ -148,16 +148,17 @@ def add_property(obj, declared: Property) -> None:
 
 
 def check_numbers(obj, declared: Iterable[Property]) -> None:
-    """Raises BendTorsionError for a single number that is not finite; lists are the core's."""
+    """Raises BendTorsionError for a single number that is none or out of all bounds (FreeCAD holds
+    infinite lengths as the largest double); lists are the core's."""
     for item in declared:
         value = None if item.output else getattr(obj, item.name, None)
         number = getattr(value, "Value", value)
-        if isinstance(number, float) and not math.isfinite(number):
+        if isinstance(number, float) and not abs(number) <= LARGEST_NUMBER:
             raise BendTorsionError(
                 error(
                     "not-a-number",
                     obj.Label,
-                    f"{item.name} is not a finite number",
+                    f"{item.name} is not a number of use",
                     "give a number",
                     position=f"property {item.name}",
                 )
