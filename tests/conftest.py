@@ -9,3 +9,5 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from BendTorsionWB import freecad_path
 
 freecad_path.append()
+
+from schedule_books import read  # noqa: E402, F401 - a fixture for all tests

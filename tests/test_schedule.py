@@ -3,104 +3,20 @@
 
 import copy
 import dataclasses
-import importlib.util
-import io
-import itertools
 import math
 import pickle
 import re
-import zipfile
 from pathlib import Path
 
-import numpy as np
 import openpyxl
 import pytest
-from scipy.interpolate import CubicSpline
-from scipy.spatial import cKDTree
+from schedule_books import GOOD, findings, one, write
 
-from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.exchange import schedule_columns as columns
 from BendTorsionWB.exchange.schedule import Settings, read_schedule
 
 ROOT = Path(__file__).resolve().parent.parent
 HALL = ROOT / "resources" / "examples" / "concert_hall"
-
-GOOD = {
-    "Settings": [["key", "value"], ["station_spacing", 400], ["default_slope", 4]],
-    "Materials": [["material", "density", "E", "fy"], ["Q355", 7850, 206000, 355]],
-    "Surfaces": [["surface", "kind", "parameters"], ["Hall", "sphere", "r=20000"]],
-    "Points": [
-        ["axis", "no", "x", "y", "z"],
-        ["A1", 1, 20000, 0, 0],
-        ["A1", 2, 0, 20000, 0],
-        ["A1", 3, -20000, 0, 0],
-    ],
-    "Axes": [["axis", "surface"], ["A1", "Hall"]],
-    "Sections": [
-        ["section", "type", "h", "b", "t", "gap1", "gap2", "t_top", "t_web", "material"],
-        ["S1", "box1", 800, 800, 20, None, None, None, None, None],
-        ["S2", "box1", 600, 500, 16, 2, 3, 18, None, "Q355"],
-        ["S3", "box2", 600, 600, 16, None, None, None, None, None],
-    ],
-    "Members": [
-        ["member", "segment", "axis", "section", "cut", "slope", "align", "align_to", "roll"],
-        ["M1", 1, "A1", "S1", None, None, None, None, 90],
-        ["M1", 2, None, "S2", 4000, 0, "top-left", "previous", None],
-        ["M1", 3, "A1", "S1", "75%", None, None, None, None],
-    ],
-    "Splits": [
-        ["member", "face", "joints"],
-        ["M1", "top", "0.2 0.4 1"],
-        ["M1", "left", "900 5000"],
-    ],
-}
-
-
-def write(path, sheets):
-    book = openpyxl.Workbook()
-    book.remove(book.active)
-    for title, rows in sheets.items():
-        sheet = book.create_sheet(title)
-        for row in rows:
-            sheet.append(row)
-    book.save(path)
-    return path
-
-
-@pytest.fixture
-def read(tmp_path):
-    """read({(sheet, row, heading): value}) reads the good schedule with these cells changed."""
-
-    def changed(changes=(), edit=None):
-        sheets = copy.deepcopy(GOOD)
-        for (title, row, heading), value in dict(changes).items():
-            if heading not in sheets[title][0]:
-                sheets[title][0].append(heading)
-            while len(sheets[title]) < row:
-                sheets[title].append([])
-            line = sheets[title][row - 1]
-            line += [None] * (len(sheets[title][0]) - len(line))
-            line[sheets[title][0].index(heading)] = value
-        if edit:
-            edit(sheets)
-        return read_schedule(write(tmp_path / "hall.xlsx", sheets))
-
-    return changed
-
-
-def findings(call, *arguments):
-    with pytest.raises(BendTorsionError) as raised:
-        call(*arguments)
-    for finding in raised.value.findings:
-        assert finding.severity == "error" and finding.mend and finding.message
-        assert "\n" not in finding.line()
-    return raised.value.findings
-
-
-def one(call, *arguments):
-    found = findings(call, *arguments)
-    assert len(found) == 1, "\n".join(finding.line() for finding in found)
-    return found[0]
 
 
 def test_good_schedule_in_core_units_with_defaults(read):
@@ -484,94 +400,6 @@ def test_members_that_differ_by_capitals_only_would_share_files(read):
     assert one(read, more).position == "sheet Members, row 5, column member"
 
 
-def patched(path, sheet_number, pattern, replacement):
-    content = io.BytesIO()
-    with zipfile.ZipFile(path) as source, zipfile.ZipFile(content, "w") as target:
-        for name in source.namelist():
-            data = source.read(name)
-            if name == f"xl/worksheets/sheet{sheet_number}.xml":
-                data, count = re.subn(pattern, replacement, data)
-                assert count == 1
-            target.writestr(name, data)
-    path.write_bytes(content.getvalue())
-    return path
-
-
-def test_nan_and_formulas_without_result_are_no_empty_cells(tmp_path, read):
-    finding = one(read, {("Axes", 2, "max_spacing"): math.nan})
-    assert (finding.code, finding.value) == ("not-finite", "NaN")
-    assert finding.position == "sheet Axes, row 2, column max_spacing"
-    finding = one(read, {("Members", 3, "slope"): "=1+1"})
-    assert finding.code == "formula-without-value"
-    assert finding.position == "sheet Members, row 3, column slope"
-    path = write(tmp_path / "nan.xlsx", GOOD)
-    finding = one(read_schedule, patched(path, 4, b"<v>-20000</v>", b"<v>nan</v>"))
-    assert (finding.code, finding.value) == ("not-finite", "nan")
-    assert finding.position == "sheet Points, row 4, column C"
-    path = write(tmp_path / "calculated.xlsx", GOOD)
-    patched(path, 4, b"<v>-20000</v>", b"<f>-2*10000</f><v>-20000</v>")
-    assert read_schedule(path).axis("A1").points[2].x == -20000.0
-
-
-def encrypted_zip(path):
-    data = bytearray(write(path, GOOD).read_bytes())
-    for magic, offset in ((b"PK\x03\x04", 6), (b"PK\x01\x02", 8)):
-        for match in re.finditer(re.escape(magic), bytes(data)):
-            data[match.start() + offset] |= 1
-    return bytes(data)
-
-
-def ole(mark):
-    return bytes.fromhex("D0CF11E0A1B11AE1") + bytes(504) + mark.encode("utf-16-le")
-
-
-def zipped(name, data, method=zipfile.ZIP_STORED):
-    content = io.BytesIO()
-    with zipfile.ZipFile(content, "w", method) as archive:
-        archive.writestr(name, data)
-    return content.getvalue()
-
-
-UNREADABLE = {
-    "text": (b"member,segment\nM1,1\n", "not-xlsx"),
-    "empty": (b"", "not-xlsx"),
-    "old": (ole("Workbook"), "not-xlsx"),
-    "password": (ole("EncryptedPackage"), "file-encrypted"),
-    "other-zip": (zipped("content.xml", b"<x/>"), "not-xlsx"),
-    "broken-xml": (zipped("xl/workbook.xml", b"<x"), "file-unreadable"),
-    "bomb": (zipped("xl/workbook.xml", bytes(201_000_000), zipfile.ZIP_DEFLATED), "file-too-large"),
-}
-
-
-@pytest.mark.parametrize("name", UNREADABLE)
-def test_an_unreadable_file_is_one_line(tmp_path, name):
-    content, code = UNREADABLE[name]
-    path = tmp_path / "hall.xlsx"
-    path.write_bytes(content)
-    finding = one(read_schedule, path)
-    assert (finding.object, finding.code) == ("hall.xlsx", code)
-
-
-def test_missing_file_folder_and_damaged_files(tmp_path):
-    assert one(read_schedule, tmp_path / "none.xlsx").code == "file-missing"
-    assert one(read_schedule, tmp_path).code == "file-unreadable"
-    path = tmp_path / "hall.xlsx"
-    path.write_bytes(encrypted_zip(path))
-    assert one(read_schedule, path).code == "file-encrypted"
-    whole = write(path, GOOD).read_bytes()
-    for length in (100, len(whole) // 2, len(whole) - 10):
-        path.write_bytes(whole[:length])
-        assert one(read_schedule, path).code in ("not-xlsx", "file-unreadable")
-
-
-def test_a_sheet_that_reaches_to_the_end_of_the_world(tmp_path):
-    path = write(tmp_path / "hall.xlsx", GOOD)
-    book = openpyxl.load_workbook(path)
-    book["Points"]["XFD1048576"] = " "
-    book.save(path)
-    assert one(read_schedule, path).code == "sheet-too-large"
-
-
 def test_the_documentation_names_every_sheet_column_and_setting():
     document = (ROOT / "docs" / "schedule.md").read_text()
     sections = dict(re.findall(r"^## (\w+)\n(.*?)(?=^## |\Z)", document, re.M | re.S))
@@ -585,80 +413,3 @@ def test_the_documentation_names_every_sheet_column_and_setting():
     assert all(f"`{sheet}`" in document for sheet in columns.LATER_SHEETS)
     fields = [field.name for field in dataclasses.fields(Settings)]
     assert fields == ["place", *columns.SETTINGS]
-
-
-@pytest.fixture(scope="module")
-def make_concert_hall():
-    path = HALL / "make_concert_hall.py"
-    spec = importlib.util.spec_from_file_location("make_concert_hall", path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-@pytest.fixture(scope="module")
-def hall():
-    return read_schedule(HALL / "concert_hall.xlsx")
-
-
-def test_concert_hall_is_written_with_the_same_bytes(tmp_path, make_concert_hall):
-    for name in ("first.xlsx", "second.xlsx"):
-        make_concert_hall.write(tmp_path / name)
-    first = (tmp_path / "first.xlsx").read_bytes()
-    assert first == (tmp_path / "second.xlsx").read_bytes()
-    assert first == (HALL / "concert_hall.xlsx").read_bytes()
-
-
-def test_concert_hall_is_the_case_wanted(hall):
-    half_axes = dict(hall.surface("Hall").sizes)
-    assert half_axes == {"a": 40000.0, "b": 30000.0, "c": 20000.0}
-    assert [member.name for member in hall.members] == [f"M{n}" for n in range(1, 17)]
-    inverse = 1.0 / np.array(list(half_axes.values()))
-    curves = []
-    for axis in hall.axes:
-        points = axis.coordinates()
-        assert 8 <= len(points) <= 12
-        assert np.all(points == np.round(points, 3))
-        assert points[:, 2].min() >= 300.0
-        # Distance to the ellipsoid to first order: F / |grad F|.
-        distance = (np.sum((points * inverse) ** 2, axis=1) - 1.0) / 2.0
-        distance /= np.linalg.norm(points * inverse**2, axis=1)
-        assert np.abs(distance).max() < 0.001
-        chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
-        assert chords.max() / chords.min() > 1.2
-        along = np.concatenate([[0.0], np.cumsum(chords)])
-        curve = CubicSpline(along, points)(np.linspace(0.0, along[-1], 600))
-        assert 15000.0 < np.linalg.norm(np.diff(curve, axis=0), axis=1).sum() < 26000.0
-        curves.append(curve)
-    trees = [cKDTree(curve) for curve in curves]
-    clear = [
-        trees[one].query(curves[other])[0].min()
-        for one, other in itertools.combinations(range(len(curves)), 2)
-    ]
-    # The alignments may push two neighbours half their breadth towards each other.
-    assert min(clear) > 2600.0
-
-
-def test_concert_hall_shows_what_a_schedule_can_say(hall):
-    segments = [segment for member in hall.members for segment in member.segments]
-    assert {len(member.segments) for member in hall.members} == {1, 2, 3}
-    assert {hall.section(segment.section).type for segment in segments} == {"box1", "box2"}
-    assert {segment.slope for segment in segments} == {0.0, 2.5, 4.0, 6.0}
-    assert {segment.cut.is_ratio for segment in segments if segment.cut} == {True, False}
-    assert len({segment.align for segment in segments}) >= 7
-    assert {segment.align_to for segment in segments} == {"axis", "previous"}
-    assert any(hall.section(segment.section).gap1 == 3.0 for segment in segments)
-    assert any(member.roll == pytest.approx(math.radians(5.0)) for member in hall.members)
-    paper = {
-        "left": (0.2, 0.4, 0.6, 0.8),
-        "right": (0.15, 0.35, 0.45, 0.75),
-        "top": (0.1, 0.3, 0.55, 0.7, 0.85),
-        "bottom": (0.25, 0.5, 0.65, 0.9),
-    }
-    as_paper = [
-        {face: split.joints.values for face, split in hall.splits_of(member.name).items()} == paper
-        for member in hall.members
-    ]
-    assert sum(as_paper) >= 12
-    kinds = {split.joints.kind for split in hall.splits}
-    assert kinds == {"ratio", "mm"} and hall.splits_of("M7") == {}

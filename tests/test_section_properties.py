@@ -14,13 +14,12 @@ from BendTorsionWB.core.section_properties import (
     section_properties,
     slenderness_class,
 )
+from BendTorsionWB.core.section_strips import StripRow, strip_list
 from BendTorsionWB.core.section_types import (
-    StripRow,
     channel,
     i_section,
     polygon,
     ring_of_sides,
-    strip_list,
     t_section,
     trapezoid,
 )

@@ -14,17 +14,16 @@ from BendTorsionWB.core.axis import fit_axis
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.pattern import develop_plate
 from BendTorsionWB.core.plates import Joints, split_plates
+from BendTorsionWB.core.section_checks import overlap
 from BendTorsionWB.core.section_properties import section_properties
+from BendTorsionWB.core.section_strips import StripRow, strip_list
 from BendTorsionWB.core.section_types import (
     TYPES,
-    StripRow,
     channel,
     i_section,
-    overlap,
     polygon,
     ring_of_sides,
     section_of,
-    strip_list,
     t_section,
     trapezoid,
 )

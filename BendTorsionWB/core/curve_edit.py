@@ -52,10 +52,11 @@ def turned(curve: Curve) -> Curve:
     )
 
 
-def joined(curves: list[Curve]) -> Curve:
+def joined(curves: list[Curve], lengths: list[float] | None = None) -> Curve:
     """Curves that meet end to end as one, a full knot at each joint, one parameter after another.
 
-    Each parameter is scaled so that the speed is the same on both sides of a joint.
+    Each parameter is scaled to run over the length given, mm, or, without lengths, so that the
+    speed is the same on both sides of a joint.
     """
     degree = max(curve.degree for curve in curves)
     parts = [piece(curve, *curve.domain, degree) for curve in curves]
@@ -65,6 +66,8 @@ def joined(curves: list[Curve]) -> Curve:
         first, last = part.domain
         ends = np.linalg.norm(part.evaluate(np.array([first, last]), 1)[1], axis=1)
         scale = 1.0 if speed is None else ends[0] / speed
+        if lengths is not None:
+            scale = lengths[k] / (last - first)
         speed = ends[1] / scale
         weight = np.ones(len(part.poles)) if part.weights is None else part.weights
         if k:

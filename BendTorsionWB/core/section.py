@@ -152,20 +152,7 @@ def box_findings(
                 value=type,
             )
         ]
-    sizes = {"h": h, "b": b, "t_top": t_top, "t_bottom": t_bottom, "t_web": t_web}
-    findings = [
-        error(
-            "section-size",
-            name,
-            f"{key} must be a positive length",
-            f"give {key} in mm",
-            value=float(value),
-            limit=0.0,
-            unit="mm",
-        )
-        for key, value in sizes.items()
-        if not (np.isfinite(value) and value > 0)
-    ]
+    findings = size_findings(name, h=h, b=b, t_top=t_top, t_bottom=t_bottom, t_web=t_web)
     findings += [
         error(
             "section-gap",
@@ -181,23 +168,7 @@ def box_findings(
     ]
     if findings:
         return findings
-    for key, thickness, size, of in (
-        ("t_top", t_top, h, "h"),
-        ("t_bottom", t_bottom, h, "h"),
-        ("t_web", t_web, b, "b"),
-    ):
-        if thickness >= size / 2:
-            findings.append(
-                error(
-                    "plate-too-thick",
-                    name,
-                    f"{key} fills half the section or more",
-                    f"make {key} thinner or {of} larger",
-                    value=float(thickness),
-                    limit=size / 2,
-                    unit="mm",
-                )
-            )
+    findings = thickness_findings(name, h, b, t_top, t_bottom, t_web)
     if findings:
         return findings
     clear = b - 2 * t_web if type == "box1" else h - t_top - t_bottom
@@ -214,3 +185,43 @@ def box_findings(
             )
         )
     return findings
+
+
+def size_findings(name: str, **sizes: float) -> list[Finding]:
+    """Errors of sizes that are no positive lengths."""
+    return [
+        error(
+            "section-size",
+            name,
+            f"{key} must be a positive length",
+            f"give {key} in mm",
+            value=float(value),
+            limit=0.0,
+            unit="mm",
+        )
+        for key, value in sizes.items()
+        if not (np.isfinite(value) and value > 0)
+    ]
+
+
+def thickness_findings(
+    name: str, h: float, b: float, t_top: float, t_bottom: float, t_web: float
+) -> list[Finding]:
+    """Errors of plates that fill half the section or more."""
+    return [
+        error(
+            "plate-too-thick",
+            name,
+            f"{key} fills half the section or more",
+            f"make {key} thinner or {of} larger",
+            value=float(thickness),
+            limit=size / 2,
+            unit="mm",
+        )
+        for key, thickness, size, of in (
+            ("t_top", t_top, h, "h"),
+            ("t_bottom", t_bottom, h, "h"),
+            ("t_web", t_web, b, "b"),
+        )
+        if thickness >= size / 2
+    ]

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import hashlib
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, is_dataclass
 
@@ -35,12 +36,12 @@ class Foot:
     outside: np.ndarray
 
 
-class Surface:
+class Surface(ABC):
     """What all surfaces share: `closest(points (n, 3)) -> Foot` and a content `key`."""
 
+    @abstractmethod
     def closest(self, points: np.ndarray) -> Foot:
         """Closest points to points (n, 3) mm."""
-        raise NotImplementedError
 
     @property
     def offset_range(self) -> tuple[float, float]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import traceback
+from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from dataclasses import dataclass
 
@@ -50,7 +51,7 @@ BASE_PROPERTIES = (
 )
 
 
-class Proxy:
+class Proxy(ABC):
     """Base of the FeaturePython proxies; holds no state and no object.
 
     Subclasses name their TYPE and PROPERTIES, and implement `build(obj) -> findings`, which sets
@@ -113,8 +114,9 @@ class Proxy:
             self.clear(obj)
         write_findings(obj, findings)
 
+    @abstractmethod
     def build(self, obj) -> Iterable[Finding]:
-        raise NotImplementedError(f"{type(self).__name__}.build")
+        """Set the outputs from the inputs; may raise BendTorsionError."""
 
     def clear(self, obj) -> None:
         """Empty every output, so that nothing stale is left to see or to export."""

@@ -14,7 +14,8 @@ from BendTorsionWB.core.section_properties import (
     section_properties,
     slenderness_class,
 )
-from BendTorsionWB.core.section_types import CORNER_JOINTS, TYPES, StripRow, section_of
+from BendTorsionWB.core.section_strips import StripRow
+from BendTorsionWB.core.section_types import CORNER_JOINTS, TYPES, section_of
 from BendTorsionWB.core.strip_lines import section_polygons
 from BendTorsionWB.objects.proxy import Property, Proxy
 

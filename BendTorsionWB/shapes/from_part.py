@@ -11,6 +11,7 @@ import numpy as np
 import Part
 
 from ..core.curve import Curve
+from ..core.curve_edit import joined, turned
 from ..core.finding import BendTorsionError, error
 from ..core.nurbs import NurbsPatch
 from ..core.patch_split import smooth_patches
@@ -156,7 +157,7 @@ def curve_from_part(shape: Part.Shape, object: str = "axis") -> Curve:
     for spline in splines:
         spline.increaseDegree(degree)
     curves = [_core_curve(spline) for spline in splines]
-    return _joined(curves, [spline.length() for spline in splines], object)
+    return joined(_oriented(curves, object), [spline.length() for spline in splines])
 
 
 def _spline(edge: Part.Edge, object: str, position: str) -> Part.BSplineCurve:
@@ -197,58 +198,28 @@ def _core_curve(spline: Part.BSplineCurve) -> Curve:
     )
 
 
-def _joined(curves: list[Curve], lengths: list[float], object: str) -> Curve:
-    """Curves of one degree, end to end, as one curve; a curve is turned where its end meets."""
-    degree = curves[0].degree
+def _oriented(curves: list[Curve], object: str) -> list[Curve]:
+    """Curves in turn, each turned so that it starts where the one before ends."""
     start, end = curves[0].poles[0], curves[0].poles[-1]
     ends = curves[1].poles[[0, -1]]
-    if np.linalg.norm(ends - end, axis=1).min() > np.linalg.norm(ends - start, axis=1).min():
-        curves = [_turned(curves[0]), *curves[1:]]
-    knots, poles, weights = [np.zeros(degree + 1)], [], []
-    place = 0.0
-    for k, (curve, length) in enumerate(zip(curves, lengths, strict=True)):
-        if k:
-            gaps = np.linalg.norm(curve.poles[[0, -1]] - poles[-1][-1], axis=1)
-            if gaps.min() > CHAIN_GAP:
-                raise BendTorsionError(
-                    error(
-                        "edge-chain",
-                        object,
-                        "the edges do not meet end to end",
-                        "close the gap or select single edges",
-                        position=f"Edge{k + 1}",
-                        value=float(gaps.min()),
-                        limit=CHAIN_GAP,
-                        unit="mm",
-                    )
+    first_is_back = (
+        np.linalg.norm(ends - end, axis=1).min() > np.linalg.norm(ends - start, axis=1).min()
+    )
+    chain = [turned(curves[0]) if first_is_back else curves[0]]
+    for k, curve in enumerate(curves[1:], start=2):
+        gaps = np.linalg.norm(curve.poles[[0, -1]] - chain[-1].poles[-1], axis=1)
+        if gaps.min() > CHAIN_GAP:
+            raise BendTorsionError(
+                error(
+                    "edge-chain",
+                    object,
+                    "the edges do not meet end to end",
+                    "close the gap or select single edges",
+                    position=f"Edge{k}",
+                    value=float(gaps.min()),
+                    limit=CHAIN_GAP,
+                    unit="mm",
                 )
-            if gaps[1] < gaps[0]:
-                curve = _turned(curve)
-        first, last = curve.domain
-        own = (curve.knots[degree + 1 : -degree - 1] - first) * length / (last - first)
-        weight = np.ones(len(curve.poles)) if curve.weights is None else curve.weights
-        if k:
-            weight = weight * (weights[-1][-1] / weight[0])
-        place_next = place + length
-        full = degree + 1 if k == len(curves) - 1 else degree
-        knots += [place + own, np.full(full, place_next)]
-        poles.append(curve.poles if k == 0 else curve.poles[1:])
-        weights.append(weight if k == 0 else weight[1:])
-        place = place_next
-    weight = np.concatenate(weights)
-    return Curve(
-        degree,
-        np.concatenate(knots),
-        np.concatenate(poles),
-        None if np.ptp(weight) == 0 else weight,
-    )
-
-
-def _turned(curve: Curve) -> Curve:
-    first, last = curve.domain
-    return Curve(
-        curve.degree,
-        first + last - curve.knots[::-1],
-        curve.poles[::-1],
-        None if curve.weights is None else curve.weights[::-1],
-    )
+            )
+        chain.append(turned(curve) if gaps[1] < gaps[0] else curve)
+    return chain

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Schedule files that are damaged, locked, too large or no workbooks: one line each."""
+
+import io
+import math
+import re
+import zipfile
+
+import openpyxl
+import pytest
+from schedule_books import GOOD, one, write
+
+from BendTorsionWB.exchange.schedule import read_schedule
+
+
+def patched(path, sheet_number, pattern, replacement):
+    content = io.BytesIO()
+    with zipfile.ZipFile(path) as source, zipfile.ZipFile(content, "w") as target:
+        for name in source.namelist():
+            data = source.read(name)
+            if name == f"xl/worksheets/sheet{sheet_number}.xml":
+                data, count = re.subn(pattern, replacement, data)
+                assert count == 1
+            target.writestr(name, data)
+    path.write_bytes(content.getvalue())
+    return path
+
+
+def test_nan_and_formulas_without_result_are_no_empty_cells(tmp_path, read):
+    finding = one(read, {("Axes", 2, "max_spacing"): math.nan})
+    assert (finding.code, finding.value) == ("not-finite", "NaN")
+    assert finding.position == "sheet Axes, row 2, column max_spacing"
+    finding = one(read, {("Members", 3, "slope"): "=1+1"})
+    assert finding.code == "formula-without-value"
+    assert finding.position == "sheet Members, row 3, column slope"
+    path = write(tmp_path / "nan.xlsx", GOOD)
+    finding = one(read_schedule, patched(path, 4, b"<v>-20000</v>", b"<v>nan</v>"))
+    assert (finding.code, finding.value) == ("not-finite", "nan")
+    assert finding.position == "sheet Points, row 4, column C"
+    path = write(tmp_path / "calculated.xlsx", GOOD)
+    patched(path, 4, b"<v>-20000</v>", b"<f>-2*10000</f><v>-20000</v>")
+    assert read_schedule(path).axis("A1").points[2].x == -20000.0
+
+
+def encrypted_zip(path):
+    data = bytearray(write(path, GOOD).read_bytes())
+    for magic, offset in ((b"PK\x03\x04", 6), (b"PK\x01\x02", 8)):
+        for match in re.finditer(re.escape(magic), bytes(data)):
+            data[match.start() + offset] |= 1
+    return bytes(data)
+
+
+def ole(mark):
+    return bytes.fromhex("D0CF11E0A1B11AE1") + bytes(504) + mark.encode("utf-16-le")
+
+
+def zipped(name, data, method=zipfile.ZIP_STORED):
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w", method) as archive:
+        archive.writestr(name, data)
+    return content.getvalue()
+
+
+UNREADABLE = {
+    "text": (b"member,segment\nM1,1\n", "not-xlsx"),
+    "empty": (b"", "not-xlsx"),
+    "old": (ole("Workbook"), "not-xlsx"),
+    "password": (ole("EncryptedPackage"), "file-encrypted"),
+    "other-zip": (zipped("content.xml", b"<x/>"), "not-xlsx"),
+    "broken-xml": (zipped("xl/workbook.xml", b"<x"), "file-unreadable"),
+    "bomb": (zipped("xl/workbook.xml", bytes(201_000_000), zipfile.ZIP_DEFLATED), "file-too-large"),
+}
+
+
+@pytest.mark.parametrize("name", UNREADABLE)
+def test_an_unreadable_file_is_one_line(tmp_path, name):
+    content, code = UNREADABLE[name]
+    path = tmp_path / "hall.xlsx"
+    path.write_bytes(content)
+    finding = one(read_schedule, path)
+    assert (finding.object, finding.code) == ("hall.xlsx", code)
+
+
+def test_missing_file_folder_and_damaged_files(tmp_path):
+    assert one(read_schedule, tmp_path / "none.xlsx").code == "file-missing"
+    assert one(read_schedule, tmp_path).code == "file-unreadable"
+    path = tmp_path / "hall.xlsx"
+    path.write_bytes(encrypted_zip(path))
+    assert one(read_schedule, path).code == "file-encrypted"
+    whole = write(path, GOOD).read_bytes()
+    for length in (100, len(whole) // 2, len(whole) - 10):
+        path.write_bytes(whole[:length])
+        assert one(read_schedule, path).code in ("not-xlsx", "file-unreadable")
+
+
+def test_a_sheet_that_reaches_to_the_end_of_the_world(tmp_path):
+    path = write(tmp_path / "hall.xlsx", GOOD)
+    book = openpyxl.load_workbook(path)
+    book["Points"]["XFD1048576"] = " "
+    book.save(path)
+    assert one(read_schedule, path).code == "sheet-too-large"
