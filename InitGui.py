@@ -16,11 +16,25 @@ class BendTorsionWorkbench(Workbench):
 
     def Initialize(self):
         """Register the commands and lay out the toolbar and the menu."""
+        import FreeCADGui
+
+        from BendTorsionWB.gui import commands, preferences_page, resources, status_text
+
+        FreeCADGui.addLanguagePath(str(resources.FOLDER / "translations"))
+        FreeCADGui.updateLocale()
+        FreeCADGui.addIconPath(str(resources.FOLDER / "icons"))
+        FreeCADGui.addPreferencePage(preferences_page.PreferencesPage, "BendTorsion")
+        commands.register()
+        commands.lay_out(self)
+        status_text.watch()
+
+    def ContextMenu(self, recipient):
+        """Offer what suits the selection, in the 3D view and in the tree."""
         from BendTorsionWB.gui import commands
 
-        names = commands.register()
-        self.appendToolbar("BendTorsion", names)
-        self.appendMenu("&BendTorsion", names)
+        names = commands.suited()
+        if names:
+            self.appendContextMenu("BendTorsion", names)
 
     def GetClassName(self):
         """The C++ class FreeCAD wraps a Python workbench in."""

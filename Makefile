@@ -7,7 +7,7 @@ DEMO = build/concert_hall
 DATA = $(or $(XDG_DATA_HOME),$(HOME)/.local/share)
 MOD = $(or $(FREECAD_USER_HOME),$(DATA)/FreeCAD)/Mod
 
-.PHONY: demo test install lint format benchmark packages clean
+.PHONY: demo test test-optional install lint format benchmark packages clean
 
 demo: packages  ## build the concert hall into build/concert_hall
 	@$(PYTHON) -m BendTorsionWB build $(EXAMPLE) --out $(DEMO)
@@ -19,6 +19,17 @@ demo: packages  ## build the concert hall into build/concert_hall
 
 test: packages  ## run every test
 	@$(PYTHON) -m pytest
+
+# Newer releases would bring a numpy that Debian's scipy does not load with.
+OPTIONAL = rhino3dm==8.17.0 distributed==2024.5.0 dask==2024.5.0
+
+test-optional: packages build/optional/bin/python  ## run the tests of what is optional: Rhino files, a Dask cluster
+	@build/optional/bin/python -m pytest -m optional
+
+build/optional/bin/python: Makefile
+	@$(PYTHON) -m venv --system-site-packages build/optional
+	@build/optional/bin/pip install --quiet --disable-pip-version-check $(OPTIONAL)
+	@touch $@
 
 install: packages  ## link this checkout into FreeCAD's Mod folder
 	@mkdir -p "$(MOD)"
@@ -42,6 +53,14 @@ build/ruff/bin/ruff: Makefile
 
 benchmark: packages  ## print measured figures beside their limits
 	@set -e; for script in benchmarks/*.py; do echo "== $$script"; $(PYTHON) "$$script"; done
+
+tutorial: packages  ## work through the tutorial in FreeCAD's window and refresh its pictures
+	@$(PYTHON) -m pytest -q tests/test_tutorial_window.py
+	@mkdir -p docs/images/tutorial
+	@cp build/pictures/tutorial/*.png docs/images/tutorial/
+
+translations:  ## bring the translations up to the sources; needs qttools5-dev-tools
+	@$(PYTHON) scripts/translations.py
 
 packages:
 	@sh scripts/install-debian.sh

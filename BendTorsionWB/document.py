@@ -1,106 +1,133 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The document of a schedule: its objects, and the files its surfaces and axes come from."""
+"""The document of a schedule: its objects."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from pathlib import Path
+from contextlib import contextmanager
+from dataclasses import astuple
 
 from BendTorsionWB.core.axis_input import AxisInput
-from BendTorsionWB.core.axis_source import AxisSource
 from BendTorsionWB.core.detailing import MemberJob
-from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.exchange.curve_files import dxf_axis
-from BendTorsionWB.exchange.schedule import AxisRow, MemberRow, Schedule, SurfaceRow
-from BendTorsionWB.exchange.schedule_jobs import Files
+from BendTorsionWB.exchange.schedule import AxisRow, MemberRow, Schedule
+from BendTorsionWB.exchange.schedule_end_cuts import EndCutCell
+from BendTorsionWB.exchange.schedule_jobs import PARTS, job_of
+from BendTorsionWB.source_files import faces_of, read_files
 
 
-def read_files(schedule: Schedule, rows: Sequence[MemberRow]) -> Files:
-    """What the files named by these members' surfaces and axes hold; raises BendTorsionError at
-    their cells."""
-    axes = [schedule.axis(name) for name in dict.fromkeys(row.axis for row in rows)]
-    named = [schedule.surface(name) for name in dict.fromkeys(axis.surface for axis in axes)]
-    surfaces, sources, faults = {}, {}, []
-
-    def read(into: dict, row, column: str, reader) -> None:
-        try:
-            into[row.name] = reader(schedule, row)
-        except BendTorsionError as problem:
-            faults.extend(
-                row.error(
-                    column,
-                    f.code,
-                    f"{f.object}: {f.message}",
-                    f.mend,
-                    value=f.value,
-                    limit=f.limit,
-                    unit=f.unit,
-                )
-                for f in problem.findings
-            )
-
-    for row in named:
-        if row.file is not None:
-            read(surfaces, row, "file", _file_surface)
-    for row in axes:
-        if row.source is not None:
-            read(sources, row, "source", _file_axis)
-    if faults:
-        raise BendTorsionError(faults)
-    return Files(surfaces, sources)
-
-
-def _file_surface(schedule: Schedule, row: SurfaceRow):
-    from BendTorsionWB.shapes.from_part import surface_from_part
-
-    return surface_from_part(_faces(schedule, row), row.name)
-
-
-def _faces(schedule: Schedule, row: SurfaceRow):
-    """The faces of a surface file, or of one named part of it, as a Part shape."""
-    from BendTorsionWB.shapes.surface_files import faces_from_file
-
-    return faces_from_file(Path(schedule.folder) / row.file.file, row.file.part, row.name)
-
-
-def _file_axis(schedule: Schedule, row: AxisRow) -> AxisSource:
-    path = Path(schedule.folder) / row.source.file
-    if path.suffix.lower() == ".dxf":
-        return dxf_axis(path, row.source.part)
-    from BendTorsionWB.shapes.curve_files import part_axis
-
-    return part_axis(path, row.source.part)
-
-
-def build_document(schedule: Schedule, jobs: dict[str, MemberJob], progress=None):
-    """A new document with the objects of the jobs' members, not yet recomputed."""
+def build_document(
+    schedule: Schedule, jobs: dict[str, MemberJob], sheets: bool = True, hidden: bool = True
+):
+    """A new document with the objects of the jobs' members, not yet recomputed. sheets: with
+    their drawing sheets; hidden: without a view of it in the window."""
     import FreeCAD
 
     from BendTorsionWB import make
 
-    document = FreeCAD.newDocument("model", hidden=True)
-    surfaces, sections = {}, {}
-    for done, name in enumerate(jobs, start=1):
-        row = schedule.member(name)
-        axis_row = schedule.axis(row.axis)
-        if axis_row.surface not in surfaces:
-            surfaces[axis_row.surface] = _make_surface(make, document, schedule, axis_row.surface)
-        for segment in row.segments:
-            if segment.section not in sections:
-                sections[segment.section] = _make_section(make, document, schedule, segment.section)
-        _make_member(
-            make, document, schedule, row, jobs[name], surfaces[axis_row.surface], sections
-        )
-        if progress is not None:
-            progress("objects", done, len(jobs))
+    document = FreeCAD.newDocument("model", hidden=hidden)
+    surfaces, sections, axes, made = {}, {}, {}, {}
+    everyone = {**jobs, **_met_elsewhere(schedule, jobs)}
+    with equal_labels():
+        for name, job in everyone.items():
+            row = schedule.member(name)
+            axis_row = schedule.axis(row.axis)
+            surface = axis_row.surface
+            if surface not in surfaces:
+                surfaces[surface] = _make_surface(make, document, schedule, surface)
+            for segment in row.segments:
+                if segment.section not in sections:
+                    section = _make_section(make, document, schedule, segment.section)
+                    sections[segment.section] = section
+            if row.axis not in axes:
+                axis = _make_axis(make, document, axis_row, job.axis, surfaces[surface])
+                axes[row.axis] = axis
+            for cut in (row.start_cut, row.end_cut):
+                if cut is not None and cut.surface and cut.surface not in surfaces:
+                    at = _make_surface(make, document, schedule, cut.surface)
+                    surfaces[cut.surface] = at
+            member = _make_member(
+                make, document, schedule, row, job, axes[row.axis], sections, surfaces
+            )
+            plates = None
+            if name in jobs:
+                plates = _make_plates(make, document, schedule, row, job, member, sheets)
+            made[name] = member, plates
+        _make_nodes(make, document, schedule, jobs, made)
+    mark_from_schedule(document.Objects)
     return document
+
+
+def _met_elsewhere(schedule: Schedule, jobs: dict[str, MemberJob]) -> dict[str, MemberJob]:
+    """Jobs of members that are not built here but meet some that are."""
+    met = {name for job in jobs.values() for node in job.meets for name in node.members}
+    rows = [row for row in schedule.members if row.name in met and row.name not in jobs]
+    files = read_files(schedule, rows)
+    return {row.name: job_of(schedule, row, files) for row in rows}
+
+
+def _make_nodes(make, document, schedule: Schedule, jobs: dict[str, MemberJob], made) -> None:
+    """A Node for each branch of the nodes of these jobs' members."""
+    by_row = {frozenset((row.through, row.other)) for row in schedule.nodes}
+    nodes = {node.name: node for job in jobs.values() for node in job.meets}
+    for node in nodes.values():
+        through, its_plates = made[node.through]
+        for branch in node.branches:
+            other, plates = made[branch.member]
+            make.make_node(
+                document,
+                through,
+                other,
+                node.name,
+                label=node.name if len(node.branches) == 1 else f"{node.name} {branch.member}",
+                type=branch.row.type,
+                gap=branch.gap,
+                stub_length=branch.row.stub_length,
+                diaphragms=branch.row.diaphragms,
+                blend=branch.row.blend,
+                place=branch.s_through,
+                by_rank=frozenset((node.through, branch.member)) not in by_row,
+                rule_pack=schedule.settings.rule_pack,
+                plates=[item for item in (its_plates, plates) if item is not None],
+            )
+
+
+@contextmanager
+def equal_labels():
+    """Let a member and its axis bear one name; FreeCAD would number the second."""
+    import FreeCAD
+
+    settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Document")
+    was_set = "DuplicateLabels" in settings.GetBools()
+    before = settings.GetBool("DuplicateLabels", False)
+    settings.SetBool("DuplicateLabels", True)
+    try:
+        yield
+    finally:
+        if was_set:
+            settings.SetBool("DuplicateLabels", before)
+        else:
+            settings.RemBool("DuplicateLabels")
+
+
+def mark_from_schedule(objects) -> None:
+    """Note on objects that they follow a row of the schedule, under the name they have now."""
+    from BendTorsionWB.objects.proxy import HIDDEN, READ_ONLY
+
+    for obj in objects:
+        obj.addProperty(
+            "App::PropertyString",
+            "FromSchedule",
+            "Base",
+            "Name under which the object follows the schedule",
+            READ_ONLY | HIDDEN,
+        )
+        obj.FromSchedule = obj.Label
 
 
 def _make_surface(make, document, schedule: Schedule, name: str):
     row = schedule.surface(name)
     if row.kind == "file":
-        faces = _feature(document, f"{name} file", _faces(schedule, row))
+        faces = _feature(document, f"{name} file", faces_of(schedule, row))
         return make.make_surface(document, name, face=(faces, ""), offset=row.offset, flip=row.flip)
     sizes = {key: math.degrees(value) if key == "angle" else value for key, value in row.sizes}
     return make.make_surface(
@@ -160,31 +187,36 @@ def _feature(document, label: str, shape):
 def _make_section(make, document, schedule: Schedule, name: str):
     row = schedule.section(name)
     grade = schedule.material(row.material)
+    sizes = {
+        key: getattr(row, key)
+        for key in ("h", "b", "b_bottom", "gap1", "gap2")
+        if getattr(row, key) is not None
+    }
+    if row.corner_joint:
+        sizes["corner_joint"] = row.corner_joint
+    if row.type == "polygon":
+        sizes |= {"corners": row.corners, "thicknesses": row.thicknesses}
+    if row.type == "strips":
+        sizes["strips"] = [astuple(strip) for strip in row.strips]
     return make.make_section(
         document,
         name,
         row.type,
-        h=row.h,
-        b=row.b,
-        t=row.t_top,
+        t=row.t_top or 0.0,
         t_top=0.0,
-        t_bottom=row.t_bottom if row.t_bottom != row.t_top else 0.0,
-        t_web=row.t_web if row.t_web != row.t_top else 0.0,
-        gap1=row.gap1,
-        gap2=row.gap2,
+        t_bottom=row.t_bottom if row.t_bottom not in (None, row.t_top) else 0.0,
+        t_web=row.t_web if row.t_web not in (None, row.t_top) else 0.0,
         Material=grade.name,
         Density=grade.density * 1e9,
         E=f"{grade.E!r} MPa",
         fy=f"{grade.fy!r} MPa",
+        **sizes,
     )
 
 
 def _make_member(
-    make, document, schedule: Schedule, row: MemberRow, job: MemberJob, surface, sections
-) -> None:
-    settings = schedule.settings
-    axis_row = schedule.axis(row.axis)
-    axis = _make_axis(make, document, axis_row, job.axis, surface)
+    make, document, schedule: Schedule, row: MemberRow, job: MemberJob, axis, sections, surfaces
+):
     segments = []
     for segment in row.segments:
         values = {
@@ -192,12 +224,14 @@ def _make_member(
             "align_to": segment.align_to,
             "offset_y": segment.offset_y,
             "offset_z": segment.offset_z,
+            "slope": segment.slope,
+            "stagger": segment.stagger,
+            "transition": segment.transition,
         }
         if segment.cut is not None:
             values["cut_ratio" if segment.cut.is_ratio else "cut"] = segment.cut.value
-            values["slope"] = segment.slope
         segments.append(values)
-    member = make.make_member(
+    return make.make_member(
         document,
         row.name,
         axis,
@@ -206,19 +240,60 @@ def _make_member(
         offset_y=row.offset_y,
         offset_z=row.offset_z,
         roll=math.degrees(row.roll),
-        transition_length=settings.transition_length,
+        transition_length=schedule.settings.transition_length,
         rank=row.rank or 0,
+        thickness=job.member.thickness,
+        start_cut=_cut_at(row.start_cut, surfaces),
+        end_cut=_cut_at(row.end_cut, surfaces),
     )
-    joints = {
-        face: "auto" if split.joints.kind == "auto" else split.joints.values
-        for face, split in schedule.splits_of(row.name).items()
-    }
+
+
+def _cut_at(cell: EndCutCell | None, surfaces):
+    """An end cut as make_member takes it."""
+    if cell is None:
+        return "square"
+    return {**vars(cell), "face": surfaces.get(cell.surface)}
+
+
+def _make_plates(
+    make, document, schedule: Schedule, row: MemberRow, job: MemberJob, member, sheets: bool
+):
+    """The PlateSet of a member, with its patterns, bed and sheets."""
+    settings = schedule.settings
+    splits = schedule.splits_of(row.name)
+    joints, lanes = (
+        {
+            face: "auto" if given.kind == "auto" else given.values
+            for face, split in splits.items()
+            if (given := getattr(split, what)) is not None
+        }
+        for what in ("joints", "lanes")
+    )
     plates = make.make_plates(
         document,
         member,
         joints,
+        lanes=lanes,
         station_spacing=settings.station_spacing,
         rule_pack=settings.rule_pack,
+        **{
+            name: [dict(part.cells) for part in schedule.parts_of(sheet, row.name)]
+            for sheet, name in PARTS.items()
+        },
     )
-    unfold = make.make_unfold(document, plates)
-    make.make_sheets(document, unfold, settings.project, settings.author)
+    unfold = make.make_unfold(
+        document,
+        plates,
+        row.patterns.mode,
+        flattened_surface=row.patterns.surface,
+        marking_face=row.patterns.marking_face,
+        contour=row.patterns.contour,
+        **vars(row.patterns.allowances),
+    )
+    bed = make.make_bed(document, plates, **vars(job.bed))
+    if sheets:
+        from BendTorsionWB.objects import sheet
+
+        sheets = make.make_sheets(document, unfold, bed=bed)
+        sheet.set_style(sheets, settings.sheet_style)
+    return plates

@@ -11,13 +11,26 @@ from collections.abc import Mapping, Sequence
 import FreeCAD
 
 from BendTorsionWB.core import section_catalogue
+from BendTorsionWB.core.bed_face import BedInput
+from BendTorsionWB.core.gross import Allowances
+from BendTorsionWB.core.strain_map import strain_map
+from BendTorsionWB.core.thickness import USUAL_RULES, ThicknessRules
+from BendTorsionWB.objects import assembly_bed as bed_object
 from BendTorsionWB.objects import axis as axis_object
+from BendTorsionWB.objects import end_cuts, plate_parts
 from BendTorsionWB.objects import member as member_object
+from BendTorsionWB.objects import node as node_object
 from BendTorsionWB.objects import plate_set as plates_object
 from BendTorsionWB.objects import section_spec as section_object
 from BendTorsionWB.objects import sheet as sheet_object
 from BendTorsionWB.objects import surface as surface_object
 from BendTorsionWB.objects import unfold as unfold_object
+from BendTorsionWB.objects.segment_edit import add_cut as add_cut
+from BendTorsionWB.objects.segment_edit import remove_segment as remove_segment
+from BendTorsionWB.objects.sub_elements import role_of as role_of
+from BendTorsionWB.objects.sub_elements import roles_of as roles_of
+from BendTorsionWB.objects.sub_elements import sub_elements as sub_elements
+from BendTorsionWB.sheets.strain_picture import write_strain_picture
 
 
 def make_surface(
@@ -154,6 +167,11 @@ def make_section(document, name: str = "Section", type: str = "box1", **sizes):
     return obj
 
 
+def catalogue_names() -> list[str]:
+    """Names of the sections of the catalogue."""
+    return [entry.name for entry in section_catalogue.entries()]
+
+
 def make_catalogue_section(document, name: str):
     """A SectionSpec with the sizes of a catalogue section, such as 'HEB 300'."""
     entry = section_catalogue.entry(name)
@@ -172,17 +190,27 @@ def make_member(
     roll: float = 0.0,
     transition_length: str = "face",
     rank: int = 0,
+    start_cut: str | Mapping = "square",
+    end_cut: str | Mapping = "square",
+    thickness: ThicknessRules = USUAL_RULES,
 ):
     """A Member along an axis with one section per segment.
 
     segments: one mapping per segment with any of cut (mm), cut_ratio, cut_by (`place`,
-    `crossing`, `point`), cut_axis (an Axis), cut_point, cut_offset, slope, transition, align,
-    align_to, offset_y, offset_z. roll in degrees.
+    `crossing`, `point`), cut_axis (an Axis), cut_point, cut_offset, slope, transition, stagger,
+    align, align_to, offset_y, offset_z; segment 1 has a cut on closed axes only. roll in degrees.
+    thickness: the rules of its thickness joints. start_cut, end_cut: `square`, `plumb`, `level`,
+    or a mapping of kind (these, `plane`, `surface`), offset (mm outwards), normal and point (of a
+    plane; without a point through the end of the axis), face (a Surface, or (object, 'Face1')).
     """
     obj = _new(document, "Part::FeaturePython", name, member_object.Member)
     obj.Axis, obj.Segments = axis, len(sections)
     obj.OffsetY, obj.OffsetZ, obj.Roll = offset_y, offset_z, roll
     obj.TransitionLength, obj.Rank = transition_length, rank
+    end_cuts.set_cut(obj, "Start", start_cut)
+    end_cuts.set_cut(obj, "End", end_cut)
+    obj.JointStagger, obj.FoldClearance = thickness.stagger, thickness.fold_clearance
+    obj.ChamferSlope = thickness.chamfer_slope
     names = {
         "cut": "Cut",
         "cut_ratio": "CutRatio",
@@ -192,6 +220,7 @@ def make_member(
         "cut_offset": "CutOffset",
         "slope": "Slope",
         "transition": "Transition",
+        "stagger": "Stagger",
         "align": "Align",
         "align_to": "AlignTo",
         "offset_y": "OffsetY",
@@ -209,35 +238,152 @@ def make_plates(
     member,
     joints: Mapping[str, Sequence[float] | str] | None = None,
     *,
+    lanes: Mapping[str, Sequence[float] | str] | None = None,
+    nodes: Sequence[float] = (),
     station_spacing: float = 500.0,
     rule_pack: str = "CN",
+    diaphragms: Sequence[Mapping] = (),
+    openings: Sequence[Mapping] = (),
+    marks: Sequence[Mapping] = (),
+    pieces: Sequence[Mapping] = (),
+    edges: Sequence[Mapping] = (),
 ):
-    """The PlateSet of a member; joints: face -> cumulative ratios (up to 1) or mm, or `auto`."""
+    """The PlateSet of a member; joints: face -> cumulative ratios (up to 1) or mm, or `auto`.
+
+    lanes: face -> seams that divide it along, ratios or mm of its width, or `auto`. nodes: places
+    on the axis joints keep clear of, mm.
+    diaphragms, openings, marks, pieces, edges: rows as on the schedule's sheets, column -> value, such as
+    {"s": 3000, "t": 16, "gap": 2, "manhole": "d=400"}; a material is `name, density, E, fy`.
+    """
     obj = _new(document, "Part::FeaturePython", f"{member.Label} plates", plates_object.PlateSet)
     obj.Member = member
-    joints = joints or {}
-    obj.AutoJoints = [face for face, values in joints.items() if values == "auto"]
-    for face, values in joints.items():
-        plates_object.add_joints(obj, face)
-        if values != "auto":
-            setattr(obj, f"Joints{face.capitalize()}", [float(value) for value in values])
+    for name, given in (("Joints", joints or {}), ("Lanes", lanes or {})):
+        setattr(obj, f"Auto{name}", [face for face, values in given.items() if values == "auto"])
+        for face, values in given.items():
+            plates_object.add_joints(obj, face)
+            if values != "auto":
+                setattr(obj, f"{name}{face.capitalize()}", [float(value) for value in values])
+    obj.NodePlaces = [float(place) for place in nodes]
     obj.StationSpacing, obj.RulePack = station_spacing, rule_pack
+    plate_parts.set_parts(obj, "Diaphragms", diaphragms)
+    plate_parts.set_parts(obj, "Openings", openings)
+    plate_parts.set_parts(obj, "Marks", marks)
+    plate_parts.set_parts(obj, "Pieces", pieces)
+    plate_parts.set_parts(obj, "Edges", edges)
     return obj
 
 
-def make_unfold(document, plates, mode: str = "edges"):
-    """The Unfold of a PlateSet: its flat patterns; mode `edges`, `energy` or `elastic`."""
+def make_node(
+    document,
+    through,
+    other,
+    name: str = "N1",
+    *,
+    type: str = "direct",
+    gap: float = 3.0,
+    stub_length: float = 0.0,
+    diaphragms: str = "flanges",
+    blend: bool = False,
+    place: float = 0.0,
+    by_rank: bool = False,
+    rule_pack: str = "CN",
+    plates: Sequence = (),
+    label: str = "",
+):
+    """A Node where the Member `other` ends on `through`; by_rank: on the one of lower rank.
+
+    place: about where on `through`, mm, needed where they meet twice. plates: the PlateSets of the
+    two members, which then end at the node and keep their joints clear of it.
+    label: of the object, where several branches share the node's name.
+    """
+    obj = _new(document, "Part::FeaturePython", label or name, node_object.Node)
+    obj.Through, obj.Other, obj.Node = through, other, name
+    obj.ThroughBy = "rank" if by_rank else "link"
+    obj.Type, obj.Gap, obj.StubLength, obj.Place = type, gap, stub_length, place
+    obj.Diaphragms, obj.Blend, obj.RulePack = diaphragms, blend, rule_pack
+    for item in plates:
+        item.Nodes = [*item.Nodes, obj]
+    return obj
+
+
+def make_unfold(
+    document,
+    plates,
+    mode: str = "edges",
+    *,
+    flattened_surface: str = "mid",
+    marking_face: str = "inside",
+    contour: str = "mid",
+    **allowances: float | str,
+):
+    """The Unfold of a PlateSet: its flat patterns; mode `edges`, `energy` or `elastic`.
+
+    flattened_surface: `mid`, `outer` or `inner`; marking_face: `inside` or `outside`;
+    contour: face that cut files draw, `mid`, `top`, `root` or `widest`. allowances:
+    any of shrinkage_along, shrinkage_across, joint, diaphragm, green_start, green_end and splice,
+    as of core.gross.Allowances.
+    """
+    given = Allowances(**allowances)
     name = f"{plates.Member.Label} patterns" if plates.Member else "Patterns"
     obj = _new(document, "Part::FeaturePython", name, unfold_object.Unfold)
     obj.Plates, obj.Mode = plates, mode
+    obj.FlattenedSurface, obj.MarkingFace = flattened_surface, marking_face
+    obj.Contour = contour
+    obj.ShrinkageAlong, obj.ShrinkageAcross = given.shrinkage_along, given.shrinkage_across
+    obj.JointAllowance, obj.DiaphragmAllowance = given.joint, given.diaphragm
+    obj.GreenStart, obj.GreenEnd, obj.Splice = given.green_start, given.green_end, given.splice
     return obj
 
 
-def make_sheets(document, unfold, project: str = "", author: str = ""):
-    """The drawing sheets of a member; their pages are made and kept by recompute."""
+def make_bed(document, plates, **sizes):
+    """The AssemblyBed of a PlateSet: what its pieces lie on while they are put together.
+
+    sizes: any of face, plane, normal, spacing, height, pin_pitch, lowest_pin, template_pitch,
+    template_lines and clearance, as of core.bed_face.BedInput; mm.
+    """
+    given = BedInput(**sizes)
+    name = f"{plates.Member.Label} bed" if plates.Member else "Bed"
+    obj = _new(document, "Part::FeaturePython", name, bed_object.AssemblyBed)
+    obj.Plates, obj.Face, obj.Plane = plates, given.face, given.plane
+    obj.Normal = FreeCAD.Vector(*given.normal)
+    obj.SaddleSpacing, obj.SeatHeight = given.spacing, given.height
+    obj.PinPitch, obj.LowestPin = given.pin_pitch, given.lowest_pin
+    obj.TemplatePitch, obj.Clearance = given.template_pitch, given.clearance
+    obj.TemplateLines = list(given.template_lines)
+    return obj
+
+
+def write_strain_map(unfold, mark: str, path) -> None:
+    """Write the strain map of one plate of an Unfold as a picture, PNG or SVG by the file's name.
+
+    KeyError when there is no such plate to be laid flat; BendTorsionError for what cannot be built.
+    """
+    plates = plates_object.value(unfold.Plates).plates
+    plate = {item.plate.mark: item.plate for item in plates}[mark]
+    given = unfold_object.pattern_input(unfold)
+    field = strain_map(plate, given.mode, given.marking_face, given.surface)
+    write_strain_picture(field, path)
+
+
+def make_sheets(
+    document,
+    unfold,
+    project: str = "",
+    author: str = "",
+    bed=None,
+    format: str = "A3",
+    standard: str = "ISO",
+    language: str = "en",
+    unit: str = "mm",
+):
+    """The drawing sheets of a member, with those of its AssemblyBed when there is one; their pages
+    are made and kept by recompute. format: `A4` ... `A1`, `ARCH A` ... `ARCH D`; standard: `ISO`,
+    `AWS`; language: `en`, `zh`; unit: `mm`, `ft-in`."""
     name = unfold.Label.replace("patterns", "sheets")
     obj = _new(document, "App::FeaturePython", name, sheet_object.SheetSet)
-    obj.Unfold, obj.Project, obj.Author = unfold, project, author
+    obj.Unfold, obj.Project, obj.Author, obj.Bed = unfold, project, author, bed
+    obj.SheetFormat, obj.SheetStandard = format, standard
+    obj.SheetLanguage, obj.SheetUnit = language, unit
     return obj
 
 

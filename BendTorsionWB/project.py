@@ -3,38 +3,57 @@
 
 from __future__ import annotations
 
-import itertools
 import json
 import os
-import tempfile
 import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import Executor, ProcessPoolExecutor
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Executor
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from BendTorsionWB import __version__
 from BendTorsionWB.core import detailing
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
-from BendTorsionWB.core.lofting import MemberRecord
-from BendTorsionWB.core.sheet_layout import member_sheets
-from BendTorsionWB.document import build_document, read_files
-from BendTorsionWB.exchange import dxf, nc1, report, results_workbook
+from BendTorsionWB.core.lofting import MemberRecord, failed_record
+from BendTorsionWB.core.nodes import Found
+from BendTorsionWB.core.parallel import attempts, workers_for
+from BendTorsionWB.core.sheet_style import SheetStyle
+from BendTorsionWB.core.site import AT_ORIGIN, SiteDatum
+from BendTorsionWB.document import build_document
+from BendTorsionWB.document_update import Update
+from BendTorsionWB.exchange import report, results_workbook
+from BendTorsionWB.exchange.difference import Change
+from BendTorsionWB.exchange.issue import OUTLINES, Issue, compared, issue, write_comparison
+from BendTorsionWB.exchange.output_folder import (
+    OutputFolder,
+    check_folder,
+    check_project,
+    read_manifest,
+)
+from BendTorsionWB.exchange.part_marks import keep_part_marks, part_marks
+from BendTorsionWB.exchange.result_cache import FOLDER as CACHE
+from BendTorsionWB.exchange.result_cache import ResultCache, key_of
+from BendTorsionWB.exchange.revision import cut_findings
 from BendTorsionWB.exchange.schedule import Schedule, read_schedule
 from BendTorsionWB.exchange.schedule_jobs import job_of, located
-from BendTorsionWB.exchange.timeless import timeless_document, timeless_step
-from BendTorsionWB.exchange.whole_file import whole_file, write_whole
-
-MODEL, STEP, RESULTS, REPORT, TIMING = (
-    "model.FCStd",
-    "model.step",
-    "results.xlsx",
-    "report.json",
-    "timing.json",
+from BendTorsionWB.exchange.schedule_nodes import with_nodes
+from BendTorsionWB.exchange.whole_file import write_whole
+from BendTorsionWB.member_files import (
+    MemberFile,
+    member_files,
+    record_key,
+    start_all,
+    written,
 )
-MANIFEST = ".bendtorsion.json"
-"""Which sheets and cut files in the folder are ours, and of which member."""
+from BendTorsionWB.sheet_files import write_sheet_set
+from BendTorsionWB.model_files import Wanted, write_model
+from BendTorsionWB.package_files import background_of, write_package
+from BendTorsionWB.source_files import read_files
+
+RESULTS, REPORT, TIMING = "results.xlsx", "report.json", "timing.json"
+
+EVERYTHING = Wanted()
 
 Progress = Callable[[str, int, int], None]
 """Called with what is being done, how many are done and how many there are."""
@@ -63,11 +82,13 @@ class Timing:
 
 @dataclass(frozen=True)
 class BuildResult:
-    """records in schedule order; findings: everything found; timing in seconds per stage."""
+    """records in schedule order; findings: everything found; timing in seconds per stage;
+    changes: what an update changed in the document."""
 
     records: tuple[MemberRecord, ...]
     findings: tuple[Finding, ...]
     timing: dict[str, float]
+    changes: tuple[Change, ...] = ()
 
     @property
     def failed(self) -> bool:
@@ -80,6 +101,13 @@ def read_jobs(
 ) -> tuple[Schedule, dict[str, detailing.MemberJob]]:
     """The schedule and the jobs of its members (those in `only`, when given); raises
     BendTorsionError for an invalid schedule or an unknown member."""
+    return read_project(path, only)[:2]
+
+
+def read_project(
+    path: str | os.PathLike, only: Sequence[str] = ()
+) -> tuple[Schedule, dict[str, detailing.MemberJob], Found]:
+    """As read_jobs, and the nodes of the project, with what was found at them and in files."""
     schedule = read_schedule(path)
     names = [row.name for row in schedule.members]
     unknown = [name for name in only if name not in names]
@@ -94,33 +122,69 @@ def read_jobs(
             )
             for name in unknown
         )
-    rows = [row for row in schedule.members if not only or row.name in only]
+    # Nodes lie between all members, whichever of them are built.
+    has_nodes = schedule.nodes or any(row.rank is not None for row in schedule.members)
+    rows = [row for row in schedule.members if has_nodes or not only or row.name in only]
     files = read_files(schedule, rows)
-    return schedule, {row.name: job_of(schedule, row, files) for row in rows}
+    jobs, found = with_nodes(schedule, {row.name: job_of(schedule, row, files) for row in rows})
+    jobs = {name: job for name, job in jobs.items() if not only or name in only}
+    at_nodes = [finding for finding in found.findings if finding.object in jobs]
+    return schedule, jobs, replace(found, findings=(*files.findings, *at_nodes))
 
 
 def compute(
     schedule: Schedule,
-    jobs: dict[str, detailing.MemberJob],
+    jobs: Mapping[str, detailing.MemberJob],
     executor: Executor | None = None,
     progress: Progress = silent,
 ) -> dict[str, detailing.DetailedMember]:
     """All members, through any concurrent.futures executor; the results are also kept in this
-    process's memo. Raises BendTorsionError with every finding located at its cell."""
-    results, faults = {}, []
-    names = list(jobs)
-    found = executor.map(_attempt, jobs.values()) if executor else map(_attempt, jobs.values())
-    for done, (name, outcome) in enumerate(zip(names, found, strict=True), start=1):
-        if isinstance(outcome, detailing.DetailedMember):
-            detailing.adopt(outcome)
-            results[name] = outcome
-        else:
-            row = schedule.member(name)
-            faults += [located(schedule, row, finding) for finding in outcome]
-        progress("members", done, len(names))
+    process's memo. Raises BendTorsionError with every finding located at its cell, and for
+    members whose worker died."""
+    detailed, lost = detail_members(schedule, jobs, executor, progress)
+    if lost:
+        raise BendTorsionError(lost)
+    return detailed
+
+
+def detail_members(
+    schedule: Schedule,
+    jobs: Mapping[str, detailing.MemberJob],
+    executor: Executor | None = None,
+    progress: Progress = silent,
+    cache: ResultCache | None = None,
+    keys: Mapping[str, str] | None = None,
+) -> tuple[dict[str, detailing.DetailedMember], tuple[Finding, ...]]:
+    """The members in schedule order, from the cache where it has them, and an error for each whose
+    worker died. keys: of the jobs, for the cache. Raises BendTorsionError with every finding
+    located at its cell, and then keeps nothing."""
+    found = {name: cache.find(keys[name]) for name in jobs} if cache else {}
+    results = {name: result for name, result in found.items() if result is not None}
+    pending = {name: job for name, job in jobs.items() if name not in results}
+    faults, lost = [], []
+    try:
+        for done, (name, outcome) in enumerate(
+            attempts(_attempt, pending, executor), start=len(results) + 1
+        ):
+            if outcome.failure:
+                mend = "build again; with fewer workers (--jobs) when memory is short"
+                lost.append(error("worker-failed", name, outcome.failure, mend))
+            elif isinstance(outcome.value, detailing.DetailedMember):
+                results[name] = outcome.value
+            else:
+                row = schedule.member(name)
+                faults += [located(schedule, row, finding) for finding in outcome.value]
+            progress("members", done, len(jobs))
+    finally:
+        # Also when interrupted: what was computed until then need not be again.
+        for name in pending if cache and not faults else ():
+            if name in results:
+                cache.keep(keys[name], results[name])
     if faults:
         raise BendTorsionError(dict.fromkeys(faults))
-    return results
+    for result in results.values():
+        detailing.adopt(result)
+    return {name: results[name] for name in jobs if name in results}, tuple(lost)
 
 
 def _attempt(job: detailing.MemberJob):
@@ -136,208 +200,155 @@ def build(
     only: Sequence[str] = (),
     workers: int | None = None,
     progress: Progress = silent,
+    wanted: Wanted = EVERYTHING,
+    executor: Executor | None = None,
+    removing: bool = False,
+    statuses: Mapping[str, str] | None = None,
+    force: bool = False,
 ) -> BuildResult:
-    """Build a schedule into a folder: document, STEP, DXF, sheets, workbook, report.
+    """Build a schedule into a folder: document, STEP, IFC, cut files, sheets, workbook, reports.
 
-    Raises BendTorsionError, with nothing written, for an invalid schedule (geometry decidable
-    from it included). Members in error keep no files; healthy ones are written whole.
+    What is there already and made from the same input is left as it is. workers: processes of a
+    pool of its own; executor: any other to use instead; removing: with wanted.update, whether
+    objects go whose rows are gone from the schedule; statuses: of plates in the shop, besides
+    those of the schedule; force: into the folder of another project as well. Raises BendTorsionError, with nothing written, for an invalid schedule
+    (geometry decidable from it included). Members in error keep no files; healthy ones are
+    written whole.
     """
     timing = Timing()
     out = Path(out)
     with timing.stage("read"):
-        schedule, jobs = read_jobs(path, only)
-        _check_folder(out)
-    with pool(workers, len(jobs)) as executor:
+        schedule, jobs, found = read_project(path, only)
+        check_folder(out)
+        check_project(out, schedule.settings.project, force)
+    update = Update(removing)
+    cache, keys = ResultCache(out / CACHE), {name: key_of(job) for name, job in jobs.items()}
+    with workers_for(workers, len(jobs)) as own:
+        executor = executor or own
         with timing.stage("members"):
-            detailed = compute(schedule, jobs, executor, progress)
+            detailed, lost = detail_members(schedule, jobs, executor, progress, cache, keys)
         with timing.stage("clashes"):
             from BendTorsionWB.shapes.clash import clashes
 
-            findings = clashes({name: item.geometry for name, item in detailed.items()})
+            geometry = {name: item.geometry for name, item in detailed.items()}
+            findings = (*lost, *found.findings, *clashes(geometry, found.met))
+        folder = OutputFolder(out, read_manifest(out), schedule.settings.project)
+        titles = schedule.settings.sheet_style
+        with timing.stage("numbering"):
+            own = [item.record for item in detailed.values()]
+            marks = part_marks(cache.folder, own, keys, bool(only))
+            developed = {record.member: record for record in marks.records}
+            findings += marks.findings
+        files = member_files(developed, keys, titles if wanted.sheets else None)
         # Workers make the files of all members while this process builds the document.
-        made = _made_files([d.record for d in detailed.values()], schedule, executor)
-        with timing.stage("document"):
-            document = build_document(schedule, jobs, progress)
-            findings = (*findings, *checked_recompute(document))
-        records = tuple(_record(name, item, findings) for name, item in detailed.items())
-        healthy = tuple(record for record in records if record.plates)
-        former = _former_files(out)
-        _write(document, schedule, records, healthy, findings, out, made, timing, progress)
-    with timing.stage("tidy"):
-        own = set(_own_files(healthy))
-        built = {record.member for record in records}
-        kept = {name for name, member in former.items() if only and member not in built}
-        for name in former.keys() - own - kept:
-            (out / name).unlink(missing_ok=True)
-        owners = {name: former[name] for name in kept} | _owners(healthy)
-        write_whole(out / MANIFEST, _json(dict(sorted(owners.items()))))
-    write_whole(out / TIMING, _json({**timing.stages, "total": sum(timing.stages.values())}))
-    return BuildResult(records, tuple(report.all_findings(records, findings)), timing.stages)
-
-
-@contextmanager
-def pool(workers: int | None, jobs: int):
-    """A process pool for `jobs` members, or None where one worker will do; what is still waiting
-    is dropped when the block fails or is interrupted."""
-    count = min(workers or os.cpu_count() or 1, max(jobs, 1))
-    if count == 1:
-        yield None
-        return
-    executor = ProcessPoolExecutor(count)
-    try:
-        yield executor
-    except BaseException:
-        executor.shutdown(wait=False, cancel_futures=True)
-        raise
-    executor.shutdown()
-
-
-def _record(
-    name: str, detailed: detailing.DetailedMember, findings: Iterable[Finding]
-) -> MemberRecord:
-    """A member's record; without plates when the member is in error."""
-    own = tuple(f for f in findings if f.object == name or f.object.startswith(f"{name}-"))
-    if has_error(own):
-        return detailing.failed_record(name, own)
-    return detailed.record
-
-
-def checked_recompute(document) -> tuple[Finding, ...]:
-    """Recompute and return the errors of all objects: `recompute` itself never tells."""
-    document.recompute()
-    from BendTorsionWB.objects.proxy import findings_of
-
-    findings = []
-    for obj in document.Objects:
-        if "Findings" in obj.PropertiesList:
-            findings += [f for f in findings_of(obj) if f.severity == "error"]
-        elif not obj.isValid():
-            findings.append(
-                error("object-invalid", obj.Label, obj.getStatusString(), "see the report view")
+        made = start_all([f for f in files if not folder.has(f.name, f.made_from)], executor)
+        if wanted.model:
+            findings += write_model(
+                folder,
+                schedule,
+                jobs,
+                developed,
+                findings,
+                wanted,
+                update.document_of if wanted.update else _new_document,
+                timing.stage,
+                progress,
             )
-    return tuple(dict.fromkeys(findings))
-
-
-def _made_files(
-    records: Sequence[MemberRecord], schedule: Schedule, executor: Executor | None
-) -> Iterator[tuple[str, bytes]]:
-    """Name and content of every sheet and cut file of the records, in order."""
-    run = executor.map if executor else map
-    plates = [plate for record in records for plate in record.plates]
-    settings = schedule.settings
-    pages = [(record, settings.project, settings.author) for record in records]
-    sheets = zip(
-        (report.sheet_name(r.member) for r in records), run(_sheets_pdf, pages), strict=True
-    )
-    cut_files = zip(
-        (report.dxf_name(p.mark) for p in plates), run(dxf.plate_dxf, plates), strict=True
-    )
-    nc1_files = zip(
-        (report.nc1_name(p.mark) for p in plates), run(nc1.plate_nc1, plates), strict=True
-    )
-    return itertools.chain(sheets, cut_files, nc1_files)
-
-
-def _write(
-    document, schedule, records, healthy, findings, out: Path, made, timing: Timing, progress
-) -> None:
-    with timing.stage("files"):
-        wanted = set(_own_files(healthy))
-        done = 0
-        for name, content in made:
-            if name in wanted:
-                write_whole(out / name, content)
-                done += 1
-                progress("sheets and cut files", done, len(wanted))
-    with timing.stage("step"):
-        progress("model", 0, 2)
-        if healthy:
-            write_step(document, [record.member for record in healthy], out / STEP)
-        else:
-            (out / STEP).unlink(missing_ok=True)
-    with timing.stage("save"):
-        progress("model", 1, 2)
-        save(document, out / MODEL)
-        progress("model", 2, 2)
-    with timing.stage("results"):
-        results_workbook.write_results(records, findings, out / RESULTS, schedule.settings.project)
-        report.write_report(records, findings, __version__, out / REPORT)
-
-
-def _sheets_pdf(given: tuple[MemberRecord, str, str]) -> bytes:
-    from BendTorsionWB.sheets.pdf import write_pdf
-
-    record, project, author = given
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "sheets.pdf"
-        write_pdf(member_sheets(record, project, author), path)
-        return path.read_bytes()
-
-
-def _own_files(healthy: Iterable[MemberRecord]) -> list[str]:
-    names = []
-    for record in healthy:
-        names.append(report.sheet_name(record.member))
-        names += [report.dxf_name(plate.mark) for plate in record.plates]
-        names += [report.nc1_name(plate.mark) for plate in record.plates]
-    return names
-
-
-def _owners(healthy: Iterable[MemberRecord]) -> dict[str, str]:
-    return {name: record.member for record in healthy for name in _own_files([record])}
-
-
-def _former_files(out: Path) -> dict[str, str]:
-    """The sheets and cut files earlier builds left in the folder, with their members."""
-    try:
-        former = json.loads((out / MANIFEST).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return {}
-    inside = out.resolve()
-    return {
-        name: str(member)
-        for name, member in (former.items() if isinstance(former, dict) else ())
-        if inside in (out / name).resolve().parents
-    }
-
-
-def _check_folder(out: Path) -> None:
-    """Raises BendTorsionError when the folder cannot be written to, before hours of computing."""
-    existing = next(path for path in (out, *out.absolute().parents) if path.exists())
-    if existing.is_dir() and os.access(existing, os.W_OK | os.X_OK):
-        return
-    problem = "cannot be written to" if existing.is_dir() else "is a file, not a folder"
-    raise BendTorsionError(
-        error("file-not-written", str(existing), problem, "choose another folder for --out")
-    )
-
-
-def write_step(document, members: Sequence[str], path: Path) -> None:
-    """STEP of the members' plates; raises BendTorsionError naming a member in error."""
-    import Import
-
-    wanted = set(members)
-    sets = [
-        obj
-        for obj in document.Objects
-        if getattr(obj, "BT_Type", "") == "PlateSet" and obj.Member and obj.Member.Label in wanted
-    ]
-    refused = [obj for obj in sets if obj.Status != "ok"]
-    if refused:
-        raise BendTorsionError(
-            error("export-refused", obj.Label, "is in error and is not exported", "mend it first")
-            for obj in refused
+            findings += tuple(update.findings)
+        statuses = {row.name: row.status for row in schedule.statuses} | dict(statuses or {})
+        with timing.stage("revision"):
+            since = compared(
+                out,
+                cache.folder / OUTLINES,
+                developed.values(),
+                statuses,
+                bool(only),
+                executor.map if executor else map,
+            )
+            findings += cut_findings(since.changes)
+        records = tuple(
+            _record(name, developed.get(name), report.of_member(name, findings)) for name in jobs
         )
-    with whole_file(path) as part:
-        Import.export(sets, str(part))
-        part.write_bytes(timeless_step(part.read_bytes(), path.name, f"BendTorsion {__version__}"))
+        healthy = {record.member for record in records if record.plates}
+        with timing.stage("files"):
+            write_member_files(folder, files, made, healthy, progress)
+            if wanted.sheets:
+                write_sheet_set(folder, records, list(keys.values()), titles, wanted.svg)
+        with timing.stage("package"):
+            behind = background_of(jobs, detailed)
+            own = list(keys.values())
+            write_package(folder, records, findings, own, titles, behind, executor)
+            keep_part_marks(cache.folder, marks)
+    with timing.stage("results"):
+        site = schedule.settings.site
+        write_reports(folder, records, findings, list(keys.values()), titles, site)
+    with timing.stage("revision"):
+        for name in write_comparison(since, out, cache.folder / OUTLINES, statuses):
+            folder.wrote(name, "")
+    with timing.stage("tidy"):
+        findings += folder.close(set(jobs) if only else None)
+        if not only:
+            cache.sweep(keys.values())
+    write_whole(out / TIMING, _json({**timing.stages, "total": sum(timing.stages.values())}))
+    found = tuple(report.all_findings(records, findings))
+    return BuildResult(records, found, timing.stages, tuple(update.changes))
 
 
-def save(document, path: Path) -> None:
-    """Save a document whole or not at all."""
-    with whole_file(path) as part:
-        document.saveCopy(str(part))
-        timeless_document(part)
+def issue_folder(out: str | os.PathLike, revision: str, note: str = "") -> Issue:
+    """Freeze the files of a folder under a revision; raises BendTorsionError as `issue` does."""
+    return issue(Path(out), revision, Path(out) / CACHE / OUTLINES, note)
+
+
+def _new_document(schedule, jobs, sheets: bool, path: Path):
+    return build_document(schedule, jobs, sheets)
+
+
+def write_member_files(
+    folder: OutputFolder,
+    files: Sequence[MemberFile],
+    made: Mapping[str, object],
+    healthy: set[str],
+    progress: Progress,
+) -> None:
+    """Write the files that are being made, of healthy members; those there already stay."""
+    wanted = [file for file in files if file.member in healthy]
+    for done, file in enumerate(wanted, start=1):
+        if file.name in made:
+            write_whole(folder.out / file.name, written(file, made[file.name]))
+            folder.wrote(file.name, file.made_from, file.member)
+        else:
+            folder.keep(file.name)
+        progress("sheets and cut files", done, len(wanted))
+
+
+def write_reports(
+    folder: OutputFolder,
+    records: Sequence[MemberRecord],
+    findings: tuple[Finding, ...],
+    keys: Sequence[str],
+    titles: SheetStyle,
+    site: SiteDatum = AT_ORIGIN,
+) -> None:
+    """Write the workbook of results and the report unless they are there. keys: of the records."""
+    out = folder.out
+    own = [record_key(key, record) for key, record in zip(keys, records, strict=True)]
+    names = [record.member for record in records]
+    key = key_of(own, names, [finding.line() for finding in findings], titles, site)
+    if folder.has(RESULTS, key) and folder.has(REPORT, key):
+        folder.keep(RESULTS)
+        folder.keep(REPORT)
+        return
+    results_workbook.write_results(records, findings, out / RESULTS, titles.project, site)
+    folder.wrote(RESULTS, key)
+    report.write_report(records, findings, __version__, out / REPORT)
+    folder.wrote(REPORT, key)
+
+
+def _record(name: str, developed: MemberRecord | None, own: tuple[Finding, ...]) -> MemberRecord:
+    """A member's record; without plates when the member is in error."""
+    if developed is None or has_error(own):
+        return failed_record(name, own)
+    return developed
 
 
 def _json(content: dict) -> bytes:

@@ -32,6 +32,7 @@ from geodesic import box_mid_rails, frames_by_differences, path_length  # noqa: 
 
 from BendTorsionWB import project  # noqa: E402
 from BendTorsionWB.core.development import develop  # noqa: E402
+from BendTorsionWB.core.parallel import workers_for  # noqa: E402
 from BendTorsionWB.shapes import brep  # noqa: E402
 
 HALL = ROOT / "resources" / "examples" / "concert_hall" / "concert_hall.xlsx"
@@ -417,7 +418,7 @@ def main():
             f"processor time {used.ru_utime + used.ru_stime:.0f} s",
         )
         schedule, jobs = project.read_jobs(HALL)
-        with project.pool(None, len(jobs)) as executor:
+        with workers_for(None, len(jobs)) as executor:
             detailed = project.compute(schedule, jobs, executor)
         axes(table, detailed)
         torsion(table, detailed)

@@ -2,12 +2,55 @@
 """Test set-up: the checkout on the path, and FreeCAD importable as a module."""
 
 import sys
+from importlib.util import find_spec
 from pathlib import Path
+
+import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from BendTorsionWB import freecad_path
 
+# What needs an optional package is collected where that is installed.
+OPTIONAL = {"test_rhino_files.py": "rhino3dm", "test_dask_cluster.py": "distributed"}
+collect_ignore = [name for name, package in OPTIONAL.items() if find_spec(package) is None]
+
 freecad_path.append()
+
+from checkers import INSTALL, missing  # noqa: E402
+
+LEFT_OUT = []
+
+
+@pytest.fixture(scope="session")
+def built(tmp_path_factory):
+    """A whole project, built once: the schedule, the folder, and what the build found."""
+    from package_build import build_package
+
+    return build_package(tmp_path_factory.mktemp("package"))
+
+
+def pytest_collection_modifyitems(config, items):
+    """Leave out tests whose program is not installed; the summary names them."""
+    kept = []
+    for item in items:
+        marker = item.get_closest_marker("external")
+        absent = [tool for tool in marker.args if missing(tool)] if marker else []
+        if absent:
+            LEFT_OUT.append(f"{item.nodeid} needs {', '.join(absent)}")
+        else:
+            kept.append(item)
+    if LEFT_OUT:
+        config.hook.pytest_deselected(items=[item for item in items if item not in kept])
+        items[:] = kept
+
+
+def pytest_terminal_summary(terminalreporter):
+    """Name every test that was left out."""
+    if LEFT_OUT:
+        terminalreporter.section(f"not run, to be run after: {INSTALL}")
+        for line in LEFT_OUT:
+            terminalreporter.line(line)
+
 
 from schedule_books import read  # noqa: E402, F401 - a fixture for all tests

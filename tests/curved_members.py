@@ -8,6 +8,7 @@ from BendTorsionWB.core.frames import surface_frames
 from BendTorsionWB.core.member import Member
 from BendTorsionWB.core.section import box
 from BendTorsionWB.core.surface import analytic_surface
+from BendTorsionWB.core.thickness import USUAL_RULES
 from BendTorsionWB.core.zones import Segment, section_law
 
 HALF_AXES = np.array([40000.0, 30000.0, 20000.0])
@@ -55,11 +56,11 @@ def member(segments, curve=diagonal, surface=ELLIPSOID, name="M1", points=9, **l
     )
 
 
-def tapered(type="box1", gap=3.0, slope=2.5, cut=9000.0, **placing):
+def tapered(type="box1", gap=3.0, slope=2.5, cut=9000.0, rules=USUAL_RULES, **placing):
     """800 x 800 x 20 then 600 x 600 x 16."""
     big = box("B800", type, 800, 800, 20, gap1=gap, gap2=gap + 1)
     small = box("B600", type, 600, 600, 16, gap1=gap, gap2=gap + 1)
-    return member([Segment(big), Segment(small, cut, slope, **placing)])
+    return member([Segment(big), Segment(small, cut, slope, **placing)], rules=rules)
 
 
 def hand_frames(member, surface, s):

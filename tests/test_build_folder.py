@@ -37,7 +37,10 @@ def test_files_of_a_member_go_with_it_even_after_a_partial_build(tmp_path):
     project.build(HALL, out, ["M1", "M7"])
     mine, other = cut_files(out, "M1"), cut_files(out, "M7")
     (out / "plates" / "M7-notes.txt").write_text("not ours")
-    assert len(mine) == 51 and len(other) == 9
+    # A PDF, a DXF and an NC1 file per plate, and templates at the ends and between.
+    assert len(mine) > 51 and len(other) > 9
+    for member, found in (("M1", mine), ("M7", other)):
+        assert {f"templates/{member}-E1.dxf", f"templates/{member}-E2.dxf"} <= set(found)
     project.build(HALL, out, ["M1"])
     assert cut_files(out, "M1") == mine and set(other) < set(cut_files(out, "M7"))
     project.build(only_member(tmp_path / "one.xlsx", "M1"), out)
@@ -47,7 +50,7 @@ def test_files_of_a_member_go_with_it_even_after_a_partial_build(tmp_path):
 
 def test_a_folder_that_cannot_be_is_refused_before_anything_is_computed(tmp_path, monkeypatch):
     (tmp_path / "file").write_text("")
-    monkeypatch.setattr(project, "compute", lambda *_: pytest.fail("computed"))
+    monkeypatch.setattr(project, "detail_members", lambda *_: pytest.fail("computed"))
     for out in (tmp_path / "file", tmp_path / "file" / "below"):
         with pytest.raises(BendTorsionError) as problem:
             project.build(HALL, out, ["M7"])

@@ -30,7 +30,7 @@ def model():
 
 
 def cut(member) -> float:
-    return float(member.Zones[0].split()[-1])
+    return float(member.Zones[0].split()[2])
 
 
 def test_a_cut_follows_the_crossing_axis_and_its_offset(model):

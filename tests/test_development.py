@@ -194,21 +194,23 @@ def tapered_plate():
 def test_a_fold_is_crossed_without_tearing_or_turning():
     plate = tapered_plate()
     development = develop(plate.rails.mid)
-    [fold] = plate.rails.mid_folds
-    for w in (0.0, 0.5, 1.0):
-        at = np.array([fold - 1e-7, fold + 1e-7])
-        assert np.abs(np.diff(development.flat(at, np.full(2, w)), axis=0)).max() < 1e-6
-    at = np.array([fold])
-    before, after = (development.plane(at, side)[0, 2] for side in ("earlier", "later"))
-    assert before == pytest.approx(after, abs=1e-12)
-    # Lengths on either side of the fold are kept.
-    for w in (0.0, 1.0):
-        s = np.linspace(fold - 200, fold, 2001)
-        space, plane = (
-            np.linalg.norm(np.diff(f(s, np.full(2001, w)), axis=0), axis=1).sum()
-            for f in (development.point, development.flat)
-        )
-        assert plane == pytest.approx(space, abs=1e-6)
+    assert len(plate.folds) == 2
+    # Both folds of the transition, and where the chamfers beside the plate begin.
+    for fold in plate.rails.mid_folds:
+        for w in (0.0, 0.5, 1.0):
+            at = np.array([fold - 1e-7, fold + 1e-7])
+            assert np.abs(np.diff(development.flat(at, np.full(2, w)), axis=0)).max() < 1e-6
+        at = np.array([fold])
+        before, after = (development.plane(at, side)[0, 2] for side in ("earlier", "later"))
+        assert before == pytest.approx(after, abs=1e-12)
+        # Lengths on the side before the fold are kept.
+        for w in (0.0, 1.0):
+            s = np.linspace(fold - 80, fold, 2001)
+            space, plane = (
+                np.linalg.norm(np.diff(f(s, np.full(2001, w)), axis=0), axis=1).sum()
+                for f in (development.point, development.flat)
+            )
+            assert plane == pytest.approx(space, abs=1e-6)
 
 
 @pytest.mark.parametrize(

@@ -268,7 +268,7 @@ def test_lines_at_a_fold_or_an_end_are_not_drawn_twice(tmp_path):
     space = document.modelspace()
     assert len(space.query('LINE[layer=="MARK_LINE"]')) == 3  # 500, 1500, 2000
     fold = space.query('TEXT[layer=="MARK_FOLD"]')[0].dxf.text
-    assert fold == "F-1 1.1 deg outside convex"
+    assert fold == "F-1 1.1 deg up"
 
 
 @pytest.mark.parametrize("length", [2400.0, 150.0])

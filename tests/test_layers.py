@@ -20,10 +20,24 @@ BELOW = {
     "sheets": ("core",),
     "objects": ("shapes", "sheets"),
     "make": ("objects",),
-    "document": ("make", "exchange"),
-    "project": ("document", "make", "exchange", "sheets"),
-    "gui": ("project",),
-    "__main__": ("project",),
+    "source_files": ("shapes", "exchange"),
+    "document": ("make", "source_files"),
+    "document_difference": ("document",),
+    "document_update": ("document_difference",),
+    "document_rows": ("make", "exchange"),
+    "interrupts": (),
+    "solid_files": ("interrupts", "shapes", "exchange"),
+    "model_files": ("document_update", "solid_files"),
+    "member_files": ("exchange", "sheets"),
+    "package_files": ("member_files",),
+    "sheet_files": ("member_files",),
+    "project": ("document", "model_files", "package_files", "sheet_files", "make", "exchange", "sheets"),
+    "round_trip": ("project", "document_rows"),
+    "document_export": ("project",),
+    "document_templates": ("make", "exchange"),
+    "console": ("core",),
+    "gui": ("round_trip", "document_export", "document_templates"),
+    "__main__": ("round_trip", "document_export", "document_templates", "console"),
 }
 EVERYWHERE = ("", "freecad_path")  # the package itself holds the version only
 FREECAD = {"FreeCAD", "Part", "Mesh", "MeshPart", "TechDraw", "Spreadsheet", "Import", "Draft"}
@@ -140,9 +154,13 @@ def test_the_rules_catch_what_they_forbid():
     ]
 
 
-# One child process per module, forked from a parent that has imported nothing of the package.
+# One child process per module, forked from a parent that has imported nothing of the package, only
+# the libraries that take long to load.
 EACH_ALONE = """
 import importlib, os, sys, traceback
+import numpy, ezdxf, openpyxl
+import scipy.integrate, scipy.interpolate, scipy.linalg, scipy.optimize, scipy.sparse.linalg
+import scipy.spatial
 from BendTorsionWB import freecad_path
 freecad_path.append()
 sys.stdout.flush()

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from random_members import random_member
 
-from BendTorsionWB.core import detailing, tolerances
+from BendTorsionWB.core import solid_skins, tolerances
 from BendTorsionWB.core.plates import split_plates
 from BendTorsionWB.core.volume import skin_volumes
 from BendTorsionWB.shapes import brep
@@ -15,7 +15,7 @@ from BendTorsionWB.shapes import brep
 def test_solids_of_random_members_are_valid_and_exact(seed):
     m = random_member(seed)
     plates, _ = split_plates(m, {})
-    skins = [detailing._plate_skin(plate) for plate in plates]
+    skins = [solid_skins.plate_skin(plate) for plate in plates]
     volumes = skin_volumes(skins)
     solids = brep.tube_solids([[(p.knots, p.poles) for p in skin] for skin in skins])
     for plate, volume, solid in zip(plates, volumes, solids, strict=True):
@@ -30,7 +30,7 @@ def test_corners_of_random_members_lie_on_their_own_lines(first):
     """Between stations, where a wrong pairing shows as half the section's breadth."""
     for seed in range(first, first + 50):
         m = random_member(seed)
-        for tube in detailing._corner_tubes(m):
+        for tube in solid_skins.corner_tubes(m):
             for piece in tube:
                 s = np.linspace(piece.knots[0], piece.knots[-1], 33)[1:-1]
                 truth = m.corners(0.0, m.length)(s).reshape(len(s), -1, 3)

@@ -2,11 +2,14 @@
 """NC1 files, read by a reader written from the format's description alone."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from flat_plates import rectangle, strip
 
+from BendTorsionWB.core.bevel_record import EdgeBevel
+from BendTorsionWB.core.lofting import PlateEdge
 from BendTorsionWB.exchange.nc1 import plate_nc1
 
 
@@ -30,21 +33,22 @@ def read(content: bytes) -> dict:
     return {"header": header, "blocks": blocks}
 
 
-def contour(rows) -> list[tuple[float, float, float]]:
+def contour(rows) -> list[tuple[float, ...]]:
+    """x, y, radius, angle1, depth1, angle2, depth2 of each point."""
     points = []
     for face, rest in rows:
         assert face == "v"
         x, rest = rest.split("u", 1)
         numbers = [float(part) for part in rest.split()]
         assert len(numbers) == 6
-        points.append((float(x), numbers[0], numbers[1]))
+        points.append((float(x), *numbers))
     return points
 
 
 def traced(points, per_arc=200) -> np.ndarray:
     """The contour as a dense polygon, arcs by their radius."""
     path = []
-    for (x, y, r), (x2, y2, _) in zip(points[:-1], points[1:], strict=True):
+    for (x, y, r, *_), (x2, y2, *_) in zip(points[:-1], points[1:], strict=True):
         a, b = np.array([x, y]), np.array([x2, y2])
         if not r:
             path.append(a[None])
@@ -98,7 +102,7 @@ def test_the_contour_is_closed_counter_clockwise_and_as_large_as_its_header(plat
 def test_arcs_lie_on_the_pattern():
     plate = curved()
     points = contour(dict(read(plate_nc1(plate))["blocks"])["AK"])
-    assert any(r for _, _, r in points) and len(points) < 20
+    assert any(p[2] for p in points) and len(points) < 20
     path = traced(points)
     runs = np.concatenate(plate.outline)
     nearest = [np.min(np.hypot(*(path - p).T)) for p in runs[::5]]
@@ -122,3 +126,82 @@ def test_marks_are_on_the_plate_and_named():
 
 def test_same_plate_same_bytes():
     assert plate_nc1(curved()) == plate_nc1(curved())
+
+
+def bevel(side, outer=(0.0, 0.0), inner=(0.0, 0.0), natural=0.0, start=0.0, end=4000.0):
+    angles = [(math.radians(angle), depth) for angle, depth in (outer, inner)]
+    return EdgeBevel(side, "left", "", "", start, end, math.radians(natural), *angles)
+
+
+def bevels_on(points, y):
+    """Bevel fields of the lines of a contour that run along y."""
+    pairs = zip(points[:-1], points[1:], strict=True)
+    return [a[3:] for a, b in pairs if abs(a[1] - y) < 0.1 and abs(b[1] - y) < 0.1]
+
+
+def cut(*bevels, **changed):
+    plate = replace(rectangle(length=4000.0), bevels=bevels, edges=square_edges(4000.0))
+    return contour(dict(read(plate_nc1(replace(plate, **changed)))["blocks"])["AK"])
+
+
+def square_edges(length):
+    s, none = np.array([0.0, length]), np.zeros(2)
+    return tuple(
+        PlateEdge(name, name, ("E-1", "E-2"), s, none, none, none, none, none, none)
+        for name in ("left", "right")
+    )
+
+
+def test_bevels_stand_on_the_first_point_of_their_line_and_are_told_from_both_faces():
+    # Marked inside: the front is the inner face. A groove from the outer face is cut from the back.
+    points = cut(bevel("first", outer=(45.0, 14.0)))
+    assert bevels_on(points, 0.0) == [(0.0, 6.0, 45.0, 14.0)]
+    assert bevels_on(points, 800.0) == [(0.0, 0.0, 0.0, 0.0)]
+    points = cut(bevel("first", outer=(45.0, 14.0)), marking_face="outside")
+    assert bevels_on(points, 0.0) == [(45.0, 14.0, 0.0, 6.0)]
+    # Of an edge tilted by its neighbour one face is cut back, over the whole thickness.
+    points = cut(bevel("second", natural=5.0))
+    assert bevels_on(points, 800.0) == [(5.0, 20.0, 0.0, 0.0)]
+    points = cut(bevel("second", natural=5.0), marking_face="outside")
+    assert bevels_on(points, 800.0) == [(-5.0, 20.0, 0.0, 0.0)]
+
+
+@pytest.mark.parametrize("marking_face", ["inside", "outside"])
+def test_depths_from_both_faces_make_the_thickness_less_the_land_between_two_grooves(marking_face):
+    for own, land in (
+        (bevel("first", outer=(40.0, 14.0), natural=3.0), 0.0),
+        (bevel("first", inner=(40.0, 14.0), natural=3.0), 0.0),
+        (bevel("first", outer=(30.0, 9.0), inner=(30.0, 9.0)), 2.0),
+    ):
+        [(angle1, depth1, angle2, depth2)] = bevels_on(cut(own, marking_face=marking_face), 0.0)
+        assert depth1 + depth2 == 20.0 - land
+        assert {abs(angle1), abs(angle2)} <= {3.0, 30.0, 40.0}
+
+
+def test_a_bevel_that_changes_along_an_edge_changes_at_a_point():
+    halves = (
+        bevel("first", outer=(45.0, 14.0), end=1500.0),
+        bevel("first", outer=(50.0, 14.0), start=1500.0),
+    )
+    points = cut(*halves)
+    assert any(p[:2] == (1500.0, 0.0) for p in points)
+    assert [fields[2] for fields in bevels_on(points, 0.0)] == [45.0, 50.0]
+
+
+def test_the_contour_of_a_face_begins_at_its_own_corner_and_is_as_large_as_its_header():
+    plate = replace(
+        rectangle(length=4000.0),
+        bevels=(bevel("first", inner=(45.0, 14.0)),),
+        edges=square_edges(4000.0),
+        contour="top",
+    )
+    file = read(plate_nc1(plate))
+    path = traced(contour(dict(file["blocks"])["AK"]))
+    assert path.min(axis=0) == pytest.approx([0.0, 0.0])
+    assert path.max(axis=0) == pytest.approx([4000.0, 786.0])
+    assert [float(file["header"][k]) for k in (8, 9)] == pytest.approx([4000.0, 786.0])
+    assert file["header"][20] == "contour top" and file["header"][21] == "marking face inside"
+    # Marks keep their place on the plate: its corner is 14 mm nearer to them.
+    marks = [row for kind, rows in file["blocks"] if kind == "BO" for _, row in rows]
+    places = [float(row.split("m")[1].split()[0]) for row in marks]
+    assert min(places) == pytest.approx(50.0 - 14.0)

@@ -21,8 +21,10 @@ PYTHON_FILES = sorted(
 )
 BY_FREECAD = {
     *("FreeCAD", "FreeCADGui", "Part", "TechDraw", "TechDrawGui", "Import", "PySide", "PySide2"),
-    *("Mesh", "MeshPart", "Spreadsheet", "PySide6", "shiboken2", "shiboken6"),
+    *("Mesh", "MeshPart", "Spreadsheet", "PySide6", "shiboken2", "shiboken6", "pivy"),
 }
+OPTIONAL = {"rhino3dm"}
+"""Imported where they are used, with one line that says how to install them."""
 
 
 @pytest.fixture(scope="module")
@@ -81,7 +83,7 @@ def test_every_library_used_is_declared_and_installed(manifest):
                 used |= {alias.name.split(".")[0] for alias in node.names}
             elif isinstance(node, ast.ImportFrom) and not node.level:
                 used.add(node.module.split(".")[0])
-    outside = used - set(sys.stdlib_module_names) - BY_FREECAD - {"BendTorsionWB"}
+    outside = used - set(sys.stdlib_module_names) - BY_FREECAD - OPTIONAL - {"BendTorsionWB"}
     assert outside <= set(values(manifest, "p:depend"))
     script = (ROOT / "scripts" / "install-debian.sh").read_text(encoding="utf-8")
     for library in values(manifest, "p:depend"):

@@ -60,11 +60,15 @@ def test_joints_in_mm_and_the_end_of_the_axis_is_no_joint(plain):
 
 
 def test_a_joint_given_at_a_thickness_joint_is_that_joint(taper):
-    [forced] = taper.law.joints
+    [forced] = taper.law.joints_of(0)
+    assert taper.law.joints_of(1) == (forced,)
+    assert taper.law.joints_of(2) == taper.law.joints_of(3) == (forced + 200.0,)
+    assert forced == taper.law.folds[1] + 100.0
     plates, _ = split_plates(taper, {"top": Joints((4000.0, forced), "mm")})
     assert ends(plates, "top") == pytest.approx([0, 4000, forced, taper.length])
     assert [p.thickness for p in plates if p.face == "top"] == [20, 20, 16]
-    assert all(p.start == forced or p.end == forced or p.face == "top" for p in plates)
+    assert ends(plates, "bottom") == pytest.approx([0, forced, taper.length])
+    assert ends(plates, "left") == pytest.approx([0, forced + 200.0, taper.length])
 
 
 def test_the_parts_make_up_the_whole(taper):

@@ -13,11 +13,13 @@ from BendTorsionWB.exchange.report import report_json, summary_lines, write_repo
 
 MEMBER_KEYS = (
     "member length_mm mass_kg axis_to_surface_rms_mm axis_to_surface_max_mm "
-    "torsion_error_max_deg total_torsion_deg plates"
+    "torsion_error_max_deg total_torsion_deg plates centre_of_gravity_mm painted_area_mm2 zones "
+    "pieces nodes"
 )
 PLATE_KEYS = (
     "mark part face piece thickness_mm area_mm2 mass_kg length_mm width_mm length_error_max_mm "
-    "length_error_rms_mm length_error_bound_mm strain_max forming dxf nc1"
+    "length_error_rms_mm length_error_bound_mm strain_max forming dxf nc1 "
+    "centre_of_gravity_mm painted_area_mm2"
 )
 FAILED = member(
     "M2",
@@ -53,7 +55,8 @@ def test_report_has_exactly_the_keys_of_the_contract(tmp_path):
     assert first["plates"][0]["dxf"] == "plates/M1-T1.dxf"
     assert first["plates"][0]["nc1"].startswith("nc1/") and first["plates"][0]["forming"] is None
     assert first["plates"][1]["strain_max"] is None
-    assert second == {**dict.fromkeys(MEMBER_KEYS.split()), "member": "M2", "plates": []}
+    empty = {"member": "M2", "plates": [], "zones": [], "pieces": [], "nodes": []}
+    assert second == {**dict.fromkeys(MEMBER_KEYS.split()), **empty}
     assert list(report["findings"][0]) == list(Finding.__dataclass_fields__)
     assert [finding["object"] for finding in report["findings"]] == ["x", "M2"]
     assert report["findings"][1]["value"] is None

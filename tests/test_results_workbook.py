@@ -13,11 +13,41 @@ from BendTorsionWB.core.finding import BendTorsionError, error, note, warning
 from BendTorsionWB.exchange.results_workbook import write_results
 
 COLUMNS = {
+    "Zones": "member zone group start end length slope d_top d_bottom d_left d_right",
+    "Pieces": "member piece start end start_end end_end green_start green_end gap parts mass "
+    "centre_x centre_y centre_z",
     "Plates": "member plate part face piece thickness length width net_area net_mass material "
-    "length_error_max strain_max forming bending_radius_min dxf nc1 sheet",
+    "length_error_max strain_max forming bending_radius_min dxf nc1 sheet "
+    "centre_x centre_y centre_z painted_area gross_length gross_width gross_area gross_mass "
+    "scale_u scale_v green_start green_end edge_error line_error diagonal_error "
+    "centre_line_error area_error seam_mismatch length_error_bound locked_in_stress",
     "Points": "plate point line edge kind s x y z local_x local_y local_z flat_u flat_v",
     "Lines": "plate line from to length_3d length_flat difference",
     "Panels": "plate panel what flat arc chord_outer",
+    "Edges": "plate edge line s neighbour dihedral bevel offset_outer offset_inner widest",
+    "Nodes": "node kind through other s_through s_other x y z angle axis_distance type gap "
+    "stub_length lands_on step_max step_angle_max diaphragms",
+    "NodeSteps": "node other side face edge through_face step angle in_line",
+    "Joints": "member joint face s plate_1 plate_2 thickness_1 thickness_2 length place weld",
+    "Welds": "member weld piece kind seam plate_1 plate_2 from to length thickness_1 thickness_2 "
+    "dihedral prep type angle land gap depth side backing place ndt",
+    "Bevels": "plate side edge from to angle_outer depth_outer angle_inner depth_inner land "
+    "natural prep weld",
+    "Bars": "member bar piece section width thickness length material mass weld",
+    "Cutting": "part thickness material quantity length width net_area net_mass gross_area "
+    "gross_mass rolling_direction opposite_hand marks dxf",
+    "CuttingTotals": "thickness material parts plates net_area net_mass gross_area gross_mass",
+    "Forming": "plate forming rule value limit unit advice bending_radius_min twist_per_metre "
+    "flat_deviation flat_tolerance may_stay_flat strain_max strain_u strain_v locked_in_stress "
+    "stress_max stress_u stress_v moment torque corner_force clamp_middle clamp_corner",
+    "FormingLines": "plate line kind s u_first v_first u_second v_second radius_first "
+    "radius_middle radius_second skew angle direction",
+    "Bed": "piece face saddle s left_x left_y left_height right_x right_y right_height slope stop "
+    "stop_x stop_y stop_height",
+    "Pins": "piece column row x y height tilt",
+    "BedFrames": "piece frame x_x x_y x_z x_shift y_x y_y y_z y_shift z_x z_y z_z z_shift",
+    "Control": "piece line corner s x y z site_x site_y site_z bed_x bed_y bed_z fabrication_x "
+    "fabrication_y fabrication_z normal_x normal_y normal_z measured_x measured_y measured_z",
     "Checks": "severity code object position value limit unit message mend",
 }
 CLASH = error(
@@ -115,9 +145,31 @@ def test_sheets_are_ready_to_read_filter_and_print(book):
         assert (sheet.page_setup.fitToWidth, sheet.page_setup.fitToHeight) == (1, 0)
         assert sheet["A1"].font.bold
     assert book["Points"].auto_filter.ref == f"A1:N{book['Points'].max_row}"
-    assert book["Summary"].auto_filter.ref == "A1:N4"
+    assert book["Summary"].auto_filter.ref == "A1:R4"
     assert book["Points"]["F2"].number_format == "0.0"
     assert book["Lines"]["G2"].number_format == "0.0000"
+
+
+def test_headings_hold_names_and_show_units(book):
+    """The names stay what programs look for; the unit is the cells' number format."""
+    shown = {
+        ("Plates", "length"): "mm",
+        ("Plates", "net_area"): "mm²",
+        ("Plates", "net_mass"): "kg",
+        ("Plates", "locked_in_stress"): "MPa",
+        ("Summary", "total_torsion"): "°",
+        ("Forming", "corner_force"): "kN",
+        ("Forming", "twist_per_metre"): "°/m",
+        ("Bevels", "angle_outer"): "°",
+        ("Bed", "slope"): "°",
+        ("Control", "site_x"): "mm",
+    }
+    for (sheet, name), unit in shown.items():
+        [cell] = [cell for cell in book[sheet][1] if cell.value == name]
+        assert cell.number_format == f'@" ({unit})"' and cell.font.bold
+    for sheet, name in (("Zones", "slope"), ("Plates", "strain_max"), ("Checks", "value")):
+        [cell] = [cell for cell in book[sheet][1] if cell.value == name]
+        assert cell.number_format == "General"
 
 
 def test_text_is_never_a_formula(tmp_path):

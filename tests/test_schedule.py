@@ -14,6 +14,7 @@ from schedule_books import GOOD, findings, one, write
 
 from BendTorsionWB.exchange import schedule_columns as columns
 from BendTorsionWB.exchange.schedule import Settings, read_schedule
+from BendTorsionWB.exchange.schedule_jobs import job_of
 
 ROOT = Path(__file__).resolve().parent.parent
 HALL = ROOT / "resources" / "examples" / "concert_hall"
@@ -82,9 +83,10 @@ KINDS = "ellipsoid, sphere, cylinder, cone, torus, plane, file"
 FACES = "top, bottom, left, right"
 ALIGNMENTS = f"centre, {FACES}, top-left, top-right, bottom-left, bottom-right"
 # sheet, row, column, bad value, code, limit, a word of the mend
+TYPES = "box1, box2, i, tee, channel, trapezoid, polygon, strips"
 BAD_CELLS = [
     ("Points", 3, "x", "abc", "not-a-number", None, "write a number"),
-    ("Points", 3, "x", "12,5", "not-a-number", None, "write 12.5"),
+    ("Points", 3, "x", "12,500", "not-a-number", None, "write 12500 or 12.500"),
     ("Points", 3, "x", True, "not-a-number", None, "number"),
     ("Points", 3, "x", None, "value-missing", None, "fill in x"),
     ("Points", 3, "y", "nan", "not-finite", None, "write a number"),
@@ -115,7 +117,7 @@ BAD_CELLS = [
         "source",
         "hall.pdf#A1",
         "file-kind",
-        ".dxf, .step, .stp, .iges, .igs, .brep, .brp",
+        ".dxf, .step, .stp, .iges, .igs, .brep, .brp, .3dm",
         "ending in .dxf",
     ),
     ("Axes", 2, "start_z", "high", "not-a-number", None, "write a number"),
@@ -129,7 +131,7 @@ BAD_CELLS = [
         "file",
         "hall.txt",
         "file-kind",
-        ".step, .stp, .iges, .igs, .brep, .brp",
+        ".step, .stp, .iges, .igs, .brep, .brp, .3dm",
         "ending in .step",
     ),
     ("Surfaces", 2, "parameters", "r=-1", "out-of-range", "above 0", "sphere takes r="),
@@ -140,8 +142,15 @@ BAD_CELLS = [
     ("Surfaces", 2, "parameters", "r=1 r=2", "duplicate", None, "key=number"),
     ("Materials", 2, "density", 7.85, "out-of-range", "at least 1000", "kg/m3"),
     ("Materials", 2, "fy", -355, "out-of-range", "above 0", "MPa"),
-    ("Sections", 2, "type", "box3", "not-supported-yet", "box1, box2", "use box1"),
-    ("Sections", 2, "type", "pipe", "not-supported-yet", "box1, box2", "use box1, box2"),
+    ("Sections", 2, "type", "box3", "unknown-value", TYPES, "did you mean box"),
+    ("Sections", 2, "type", "pipe", "unknown-value", TYPES, TYPES),
+    ("Sections", 2, "type", None, "value-missing", None, "or catalogue"),
+    ("Sections", 2, "h", None, "value-missing", None, "fill in h"),
+    ("Sections", 2, "b_bottom", 300, "size-not-used", None, "box1 takes h, b"),
+    ("Sections", 2, "catalogue", "BOX 800x800x2", "catalogue-section", None, "BOX 800x800x20"),
+    ("Sections", 2, "corners", "0 0; 5", "bad-corners", None, "semicolons"),
+    ("Sections", 2, "thicknesses", "16 -2", "out-of-range", "above 0", "per side"),
+    ("Members", 3, "transition", "abrupt", "unknown-value", "linear, smooth", "linear"),
     ("Sections", 2, "h", -800, "out-of-range", "above 0", "above 0 mm"),
     ("Sections", 2, "b", 0, "out-of-range", "above 0", "above 0 mm"),
     ("Sections", 2, "t", None, "value-missing", None, "fill in t"),
@@ -169,7 +178,8 @@ BAD_CELLS = [
     ("Members", 3, "cut", "half", "not-a-number", None, "write a number"),
     ("Members", 3, "slope", -1, "out-of-range", "at least 0", "at least 0"),
     ("Members", 3, "align", "center", "unknown-value", ALIGNMENTS, "did you mean centre"),
-    ("Members", 3, "align_to", "next", "unknown-value", "axis, previous", "axis"),
+    ("Members", 3, "align_to", "next", "unknown-value", "axis, previous, surface", "axis"),
+    ("Members", 4, "align_to", "surface", "alignment", None, "top or bottom"),
     ("Members", 2, "align_to", "previous", "nothing-previous", None, "write axis"),
     ("Members", 3, "roll", 5, "first-segment-only", None, "segment 1"),
     ("Members", 3, "member_offset_z", 5, "first-segment-only", None, "segment 1"),
@@ -358,13 +368,6 @@ def test_unknown_sheets_and_columns_are_answered_with_the_nearest(read):
     )
 
 
-@pytest.mark.parametrize("sheet", columns.LATER_SHEETS)
-def test_sheets_of_later_versions_are_refused_by_name(read, sheet):
-    finding = one(read, {}, lambda sheets: sheets.update({sheet: [["member"]]}))
-    assert (finding.code, finding.position) == ("not-supported-yet", f"sheet {sheet}")
-    assert f"{sheet} is not supported yet" in finding.message
-
-
 def test_all_errors_are_found_at_once_in_reading_order(read):
     bad = {
         ("Splits", 2, "joints"): "0.4 0.2",
@@ -410,6 +413,25 @@ def test_the_documentation_names_every_sheet_column_and_setting():
         line = re.search(rf"^\| `{key}` \|[^|]*\| ([^|]*) \|", sections["Settings"], re.M)
         default = line.group(1).strip("`").replace("empty", "")
         assert type(setting.default)(default) == setting.default
-    assert all(f"`{sheet}`" in document for sheet in columns.LATER_SHEETS)
     fields = [field.name for field in dataclasses.fields(Settings)]
     assert fields == ["place", *columns.SETTINGS]
+
+
+def test_only_a_ring_has_a_cut_on_its_first_row_and_faces_their_own_stagger(read):
+    def ring(sheets):
+        sheets["Axes"] = [["axis", "surface", "closed"], ["A1", "Hall", "yes"]]
+        sheets["Points"].append(["A1", 4, 0, -20000, 0])
+        sheets["Members"][0] += ["stagger"]
+        sheets["Members"][2] += ["top = 0  left=200"]
+        sheets["Members"][3] += ["NONE"]
+
+    schedule = read({("Members", 2, "cut"): "90%"}, ring)
+    first, second, third = schedule.members[0].segments
+    assert (first.cut.value, first.cut.is_ratio) == (0.9, True)
+    assert (first.stagger, second.stagger, third.stagger) == ("auto", "top=0 left=200", "none")
+    segments = job_of(schedule, schedule.members[0]).member.segments
+    assert (segments[0].cut, segments[0].cut_is_ratio, segments[1].stagger) == (
+        0.9,
+        True,
+        "top=0 left=200",
+    )

@@ -83,7 +83,7 @@ def test_an_unreadable_file_is_one_line(tmp_path, name):
 
 def test_missing_file_folder_and_damaged_files(tmp_path):
     assert one(read_schedule, tmp_path / "none.xlsx").code == "file-missing"
-    assert one(read_schedule, tmp_path).code == "file-unreadable"
+    assert one(read_schedule, tmp_path).code == "file-missing"
     path = tmp_path / "hall.xlsx"
     path.write_bytes(encrypted_zip(path))
     assert one(read_schedule, path).code == "file-encrypted"

@@ -9,7 +9,7 @@ import pytest
 from curved_members import ELLIPSOID, diagonal, in_space, irregular, member
 
 from BendTorsionWB import make
-from BendTorsionWB.core import detailing, tolerances
+from BendTorsionWB.core import detailing, solid_skins, tolerances
 from BendTorsionWB.core.axis import fit_axis
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.pattern import develop_plate
@@ -99,7 +99,7 @@ def cross_sections(m, plates, s):
 def test_plates_are_valid_solids_of_exact_volume_that_keep_clear_of_each_other(kind, transition):
     m = built(kind, transition, align="top-left", align_to="previous")
     plates, _ = split_plates(m, {})
-    skins = [detailing._plate_skin(plate) for plate in plates]
+    skins = [solid_skins.plate_skin(plate) for plate in plates]
     solids = brep.tube_solids([[(p.knots, p.poles) for p in skin] for skin in skins])
     for plate, solid, volume in zip(plates, solids, skin_volumes(skins), strict=True):
         assert solid.isValid() and solid.isClosed() and solid.ShapeType == "Solid"

@@ -13,6 +13,7 @@ from test_sheet import strip_member
 
 from BendTorsionWB.core.sheet import Polyline, Sheet, Text
 from BendTorsionWB.core.sheet_layout import member_sheets
+from BendTorsionWB.core.sheet_style import SheetStyle
 from BendTorsionWB.sheets.pdf import write_pdf
 from BendTorsionWB.sheets.svg import svg_text, write_svg
 
@@ -25,7 +26,7 @@ def poppler(*arguments):
 
 
 def test_pdf_has_a_page_per_sheet_and_searchable_text(tmp_path):
-    sheets = member_sheets(RECORD, "Concert hall")
+    sheets = member_sheets(RECORD, SheetStyle("Concert hall"))
     write_pdf(sheets, tmp_path / "M1.pdf")
     information = poppler("pdfinfo", str(tmp_path / "M1.pdf"))
     assert re.search(rf"Pages:\s+{len(sheets)}\n", information)
@@ -108,7 +109,7 @@ def test_a_failed_pdf_leaves_the_old_file_and_no_other(tmp_path):
 
 
 def test_svg_holds_every_text_and_line_in_millimetres(tmp_path):
-    sheet = member_sheets(RECORD, "Hall & <garden>")[1]
+    sheet = member_sheets(RECORD, SheetStyle("Hall & <garden>"))[1]
     write_svg(sheet, tmp_path / "M1-2.svg")
     root = ElementTree.parse(tmp_path / "M1-2.svg").getroot()
     name = "{http://www.w3.org/2000/svg}"

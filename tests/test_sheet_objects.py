@@ -19,11 +19,14 @@ from test_sheet import strip_member
 from BendTorsionWB.core.finding import error
 from BendTorsionWB.core.lofting import MemberRecord
 from BendTorsionWB.core.sheet_layout import member_sheets
-from BendTorsionWB.core.sheet_page import FRAME, SIGNED_CELLS, TITLE_BLOCK
+from BendTorsionWB.core.sheet_page import SIGNED_CELLS
+from BendTorsionWB.core.sheet_style import SheetStyle
 from BendTorsionWB.objects import sheet as sheet_objects
 from BendTorsionWB.sheets.pdf import write_pdf
 from BendTorsionWB.sheets.techdraw import symbol_svg, template_path
 
+STYLE = SheetStyle("Concert hall")
+FRAME, TITLE_BLOCK = STYLE.page.frame, STYLE.page.title_block
 FAULT = error("thickness", "M1", "too thick", "reduce t")
 RECORDS = {
     1: strip_member(lengths=(2500.0, 3000.0)),
@@ -138,7 +141,7 @@ def farthest(points, others):
 
 
 def check(document, choice):
-    sheets = member_sheets(RECORDS[choice], "Concert hall")
+    sheets = member_sheets(RECORDS[choice], STYLE)
     assert document.M1_Sheets.PageCount == len(sheets) == len(pages(document))
     assert len(document.Objects) == 2 + 5 * len(sheets)
     assert all(obj.State == ["Up-to-date"] for obj in document.Objects)
@@ -149,7 +152,7 @@ def check(document, choice):
 
 def test_views_show_the_sheet_model_within_a_hundredth_of_a_millimetre(document):
     check(document, 1)
-    for page, sheet in zip(pages(document), member_sheets(RECORDS[1], "Concert hall"), strict=True):
+    for page, sheet in zip(pages(document), member_sheets(RECORDS[1], STYLE), strict=True):
         drawn, model = vertices(page), solid_points(sheet)
         assert len(drawn) > 4 or not sheet.views
         assert farthest(drawn, model) < 0.01
@@ -301,7 +304,7 @@ def test_techdraw_page_and_pdf_put_the_same_ink_in_the_same_places(tmp_path):
         timeout=120,
         capture_output=True,
     )
-    write_pdf(member_sheets(RECORDS[1], "Concert hall"), tmp_path / "ours.pdf")
+    write_pdf(member_sheets(RECORDS[1], STYLE), tmp_path / "ours.pdf")
     techdraw, ours = pixels(tmp_path / "page.pdf", 1), pixels(tmp_path / "ours.pdf", 2)
     for one, other in ((techdraw, ours), (ours, techdraw)):
         rows, columns = min(len(one), len(other)), min(one.shape[1], other.shape[1])
@@ -312,17 +315,47 @@ def test_techdraw_page_and_pdf_put_the_same_ink_in_the_same_places(tmp_path):
                 near |= np.roll(other, (down, right), (0, 1))[:rows, :columns]
         ink = one[:rows, :columns]
         assert ink.sum() > 100_000
-        assert (ink & ~near).sum() < 5e-3 * ink.sum()
+        assert (ink & ~near).sum() < 1e-2 * ink.sum()
 
 
 def test_template_fields_stand_in_the_blank_cells_of_the_title_block(document):
     template = pages(document)[0].Template
-    assert template.Template.endswith("A3_landscape.svg") or template.PageResult
+    assert template.Template.endswith("A3.svg") or template.PageResult
     assert sorted(template.EditableTexts) == sorted(SIGNED_CELLS)
     assert (template.Width, template.Height) == (420.0, 297.0)
-    text = open(template_path(), encoding="utf-8").read()
+    text = open(template_path(member_sheets(RECORDS[1])[0]), encoding="utf-8").read()
     width = (TITLE_BLOCK[2] - TITLE_BLOCK[0]) / len(SIGNED_CELLS)
     for number, cell in enumerate(SIGNED_CELLS):
         left = TITLE_BLOCK[0] + number * width
         x = float(text.split(f'editable="{cell}" x="')[1].split('"')[0])
         assert left < x < left + 3.0
+
+
+def test_format_standard_language_and_site_follow_their_properties(document):
+    before = shown(document)
+    sheets = document.M1_Sheets
+    document.openTransaction("format")
+    sheets.SheetFormat, sheets.SheetStandard, sheets.SheetUnit = "A1", "AWS", "ft-in"
+    sheets.SheetLanguage, sheets.SiteRotation = "zh", 90.0
+    document.recompute()
+    document.commitTransaction()
+    style = sheet_objects.style_of(sheets)
+    assert (style.format, style.standard, style.language, style.unit) == (
+        "A1",
+        "AWS",
+        "zh",
+        "ft-in",
+    )
+    assert style.site.rotation == pytest.approx(np.pi / 2, abs=1e-12)
+    wanted = member_sheets(RECORDS[1], style)
+    document.recompute()
+    assert len(pages(document)) == len(wanted)
+    for page, sheet in zip(pages(document), wanted, strict=True):
+        assert symbol_of(page).Symbol == symbol_svg(sheet)
+        assert (page.Template.Width.Value, page.Template.Height.Value) == (841.0, 594.0)
+        drawn, model = vertices(page), solid_points(sheet)
+        assert farthest(drawn, model) < 0.01
+        assert farthest(model, drawn) < 0.01
+    document.undo()
+    document.recompute()
+    assert shown(document) == before

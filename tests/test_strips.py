@@ -6,13 +6,14 @@ import numpy as np
 import pytest
 from curved_members import ELLIPSOID, in_space, member, tapered
 
-from BendTorsionWB.core.detailing import _plate_skin
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.piecewise import Piecewise
 from BendTorsionWB.core.plates import split_plates
 from BendTorsionWB.core.section import box
+from BendTorsionWB.core.solid_skins import plate_skin as _plate_skin
 from BendTorsionWB.core.strips import section_integrand, strip_rails
 from BendTorsionWB.core.surface import analytic_surface
+from BendTorsionWB.core.thickness import ThicknessRules
 from BendTorsionWB.core.volume import skin_volume
 from BendTorsionWB.core.zones import Segment
 from BendTorsionWB.shapes import brep
@@ -31,9 +32,14 @@ FOLDED = {
 }
 
 
+def abrupt(*args, **given):
+    """Tapered, all faces changing their thickness at the fold and without chamfers."""
+    return tapered(*args, **given, rules=ThicknessRules(chamfer_slope=0.0), stagger="none")
+
+
 def strips_of(built, start=3000.0, end=None):
     """Rails of all four strips from `start` to the thickness joint (or `end`)."""
-    end = end or built.law.joints[0]
+    end = end or built.law.joints_of(0)[0]
     return [strip_rails(built, k, start, end) for k in range(4)]
 
 
@@ -66,7 +72,7 @@ def cells_between(built, start, end):
 
 
 def test_the_corners_of_the_skin_are_frame_plus_half_height_and_breadth():
-    built = tapered(align="top-left", align_to="previous", cut=9000.0)
+    built = abrupt(align="top-left", align_to="previous", cut=9000.0)
     s = np.linspace(1.0, built.length - 1, 400)
     corners = built.corners(0.0, built.length)(s).reshape(-1, 4, 3)
     # 800 before the cut, 600 beyond the transition of 2.5 · 200, straight between.
@@ -85,7 +91,7 @@ def test_the_corners_of_the_skin_are_frame_plus_half_height_and_breadth():
 
 
 def test_corners_at_the_folds_are_exact():
-    built = tapered(align="top", align_to="previous")
+    built = abrupt(align="top", align_to="previous")
     folds = np.array(built.law.folds)
     for side in ("earlier", "later"):
         corners = built.corners(0.0, built.length)(folds, side).reshape(-1, 4, 3)
@@ -97,8 +103,8 @@ def test_corners_at_the_folds_are_exact():
 
 @pytest.mark.parametrize("case", FOLDED)
 def test_thickness_is_normal_to_the_plate_everywhere(case):
-    built = tapered(**FOLDED[case])
-    start, end = 3000.0, built.law.joints[0]
+    built = abrupt(**FOLDED[case])
+    start, end = 3000.0, built.law.joints_of(0)[0]
     cells = cells_between(built, start, end)
     for strip, rails in enumerate(strips_of(built)):
         edges = [start, *rails.inner_folds, end]
@@ -116,8 +122,8 @@ def test_thickness_is_normal_to_the_plate_everywhere(case):
 
 @pytest.mark.parametrize("case", FOLDED)
 def test_the_mid_surface_is_half_way(case):
-    built = tapered(**FOLDED[case])
-    start, end = 3000.0, built.law.joints[0]
+    built = abrupt(**FOLDED[case])
+    start, end = 3000.0, built.law.joints_of(0)[0]
     for strip, rails in enumerate(strips_of(built)):
         edges = [start, *rails.mid_folds, end]
         for cell, a, b in zip(cells_between(built, start, end), edges[:-1], edges[1:]):
@@ -134,7 +140,7 @@ def test_the_mid_surface_is_half_way(case):
 
 @pytest.mark.parametrize("case", FOLDED)
 def test_rails_are_continuous_and_without_overshoot_at_the_folds(case):
-    built = tapered(**FOLDED[case])
+    built = abrupt(**FOLDED[case])
     for rails in strips_of(built):
         for level, folds in (
             (rails.outer, rails.boundaries),
@@ -194,9 +200,9 @@ def clear_width(built, plate, edge, neighbour, s):
 def test_root_gaps_are_kept_in_constant_zones_and_never_undercut_at_folds(
     type, faces, neighbours, gap
 ):
-    built = tapered(type, gap=gap)
+    built = abrupt(type, gap=gap)
     names = [strip.face for strip in built.law.strips]
-    end = built.law.joints[0]
+    end = built.law.joints_of(0)[0]
     rails = strips_of(built)
     far = np.linspace(3001.0, 9000.0 - 510.0, 50)
     near = np.linspace(9000.0 - 490.0, end - 3.0, 400)
@@ -215,7 +221,7 @@ def test_root_gaps_are_kept_in_constant_zones_and_never_undercut_at_folds(
 
 
 def test_box2_flanges_run_over_the_whole_breadth():
-    built = tapered("box2")
+    built = abrupt("box2")
     s = np.linspace(3000.0, 8400.0, 50)
     rails = strips_of(built)[0]
     width = np.linalg.norm(rails.outer(s)[:, 3:] - rails.outer(s)[:, :3], axis=1)
@@ -226,7 +232,7 @@ def test_box2_flanges_run_over_the_whole_breadth():
 
 
 def test_box1_flanges_fit_between_the_webs():
-    built = tapered("box1")
+    built = abrupt("box1")
     s = np.linspace(3000.0, 8400.0, 50)
     top, _, left, _ = strips_of(built)
     width = np.linalg.norm(top.outer(s)[:, 3:] - top.outer(s)[:, :3], axis=1)
@@ -238,7 +244,7 @@ def test_box1_flanges_fit_between_the_webs():
 
 @pytest.mark.parametrize("type", ["box1", "box2"])
 def test_solids_of_neighbouring_plates_share_nothing(type):
-    built = tapered(type, gap=0.05, align="top", align_to="previous")
+    built = abrupt(type, gap=0.05, align="top", align_to="previous")
     plates, _ = split_plates(built, {})
     solids = {p.face: solid_of(p) for p in plates if p.start == 0.0}
     # gap1 on the left and at the top, gap2 a millimetre more on the other sides.
@@ -253,7 +259,7 @@ def solid_of(plate):
 
 @pytest.mark.parametrize("case", FOLDED)
 def test_volumes_of_strips_agree_with_the_skins_and_with_the_kernel(case):
-    built = tapered(**FOLDED[case])
+    built = abrupt(**FOLDED[case])
     plates, _ = split_plates(built, {})
     for plate in plates:
         by_section = section_integrand(built, plate.rails).integral()[0]

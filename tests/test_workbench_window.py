@@ -26,7 +26,8 @@ def save_without_window(path):
     surface = make.make_surface(document, "Ground", "plane")
     axis = make.make_axis(document, "A1", surface, [(0, 0, 0), (5000, 0, 0)])
     section = make.make_section(document, "Box", "box1", **BOX)
-    make.make_plates(document, make.make_member(document, "M1", axis, [section]))
+    plates = make.make_plates(document, make.make_member(document, "M1", axis, [section]))
+    plates.ColourBy = "forming"
     document.recompute()
     document.saveAs(str(path))
     FreeCAD.closeDocument(document.Name)
@@ -102,7 +103,7 @@ def test_the_workbench_is_listed_and_opens(window):
     assert seen["active"] == "BendTorsionWorkbench"
     assert seen["icon_exists"]
     assert seen["registered"]
-    assert seen["toolbar"] == ["BendTorsion_MembersFromSelection"]
+    assert seen["toolbar"][0] == "BendTorsion_MembersFromSelection"
     assert seen["loaded_early"] == []
 
 
@@ -145,3 +146,17 @@ def test_a_document_saved_without_a_window_shows_and_recomputes(window):
     assert seen["volume"] == pytest.approx(section_area() * 5000, rel=1e-9)
     assert set(seen["statuses"]) == {"ok"}
     assert seen["volume_again"] == seen["volume"]
+
+
+def test_colours_saved_without_a_window_are_painted_and_taken_off_again(window):
+    """Each face of a plate has the plate's colour; without colours the view has its own."""
+    seen = window["saved_without_window"]["colours"]
+    assert len(seen["saved"]) == 4
+    wanted = [
+        colour
+        for colour, count in zip(seen["saved"], seen["faces"], strict=True)
+        for _ in range(count)
+    ]
+    for painted, colour in zip(seen["painted"], wanted, strict=True):
+        assert painted == pytest.approx(colour, abs=1 / 255)
+    assert seen["after"] == [seen["own"]]

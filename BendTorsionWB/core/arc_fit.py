@@ -37,6 +37,13 @@ def fit_outline(
     Every run's end is a vertex. The first vertex is not repeated. `name` is the object named in
     findings. Raises BendTorsionError when the runs do not close or do not run counter-clockwise.
     """
+    return fit_runs(runs, tolerance, name)[0]
+
+
+def fit_runs(
+    runs: Sequence[np.ndarray], tolerance: float = FIT_TOLERANCE, name: str = "outline"
+) -> tuple[np.ndarray, np.ndarray]:
+    """The outline of `fit_outline`, and (m,) the number of the run each of its arcs belongs to."""
     fitted = [fit_arcs(run, tolerance) for run in runs]
     ends = np.array([arcs[-1, :2] for arcs in fitted])
     heads = np.array([arcs[0, :2] for arcs in fitted])
@@ -69,7 +76,7 @@ def fit_outline(
                 unit="mm2",
             )
         )
-    return outline
+    return outline, np.repeat(np.arange(len(runs)), [len(arcs) - 1 for arcs in fitted])
 
 
 def fit_arcs(points: np.ndarray, tolerance: float = FIT_TOLERANCE) -> np.ndarray:
@@ -148,7 +155,7 @@ def _tangents(step: np.ndarray, length: np.ndarray) -> tuple[np.ndarray, np.ndar
     """(k, 2) unit tangents at the points, exact on a circle, and (k - 2,) turning angles."""
     along = step / length[:, None]
     a, b = along[:-1], along[1:]
-    turn = np.arctan2(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0], np.einsum("ij,ij->i", a, b))
+    turn = np.arctan2(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0], a[:, 0] * b[:, 0] + a[:, 1] * b[:, 1])
     before, after = length[:-1], length[1:]
     share = turn * before / (before + after)
     cos, sin = np.cos(share), np.sin(share)

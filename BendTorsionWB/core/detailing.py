@@ -7,88 +7,54 @@ line call these and nothing below them.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from . import tolerances
 from .axis import Axis
 from .axis_input import AxisInput, AxisUncertainty, axis_from, axis_uncertainty
-from .finding import BendTorsionError, Finding, error, has_error, warning
-from .forming import FormingRules
-from .frames import FrameInput, frames_of, torsion_angle, wanted_z
-from .lofting import DevelopedPlate, MemberRecord
+from .bed import bed_of, steep_findings
+from .bed_face import BedInput
+from .bed_record import Bed
+from .bevels import with_bevels
+from .control_sections import control_sections
+from .cut_skin import cut_skin_area
+from .end_cut import with_end_cuts
+from .finding import BendTorsionError, Finding, has_error, warning
+from .flat_plate import developed_flat
+from .frames import FrameInput, Frames, frames_of, torsion_angle
+from .laid_flat import PLAIN, PatternInput, laid_flat
+from .lofting import MemberRecord
+from .mass import PlateFigures, plate_figures, skin_area
 from .member import Member
+from .member_figures import beyond_stock, torsion_error, wireframe
 from .memo import memoised, remember
-from .pattern import develop_plate
-from .plates import JointRules, Joints, Plate, split_plates
-from .skin import SkinPiece, skin, skins
+from .node_input import NodeInput, NodeRules
+from .node_members import MemberNodes, numbered, with_nodes
+from .nodes import Found, Node, find_nodes
+from .piece_ends import corner_ends, whole_faces
+from .piece_record import PieceFigures, piece_figures
+from .pieces import PieceInput, with_pieces
+from .plate_parts import net_figures, with_parts
+from .plates import JointRules, split_plates
+from .skin import skins
+from .solid_skins import corner_tubes, in_ring_order, skins_and_volumes
+from .stages import (
+    MemberGeometry,
+    MemberInput,
+    MemberPlates,
+    PlateGeometry,
+    PlatesInput,
+    Skins,
+)
 from .strips import rails_between
 from .surface import Surface
+from .surface_alignment import surface_lifts
 from .surface_check import size_findings, surface_findings
-from .volume import skin_volumes
-from .zones import Segment, section_law
-
-
-@dataclass(frozen=True)
-class MemberInput:
-    """What a member is made from, its axis and surface apart. roll in radians, added to that of
-    the frame."""
-
-    name: str
-    segments: tuple[Segment, ...]
-    offset_y: float = 0.0
-    offset_z: float = 0.0
-    roll: float = 0.0
-    transition_length: str = "face"
-    frame: FrameInput = FrameInput()
-
-
-@dataclass(frozen=True)
-class PlatesInput:
-    """Joints per face, spacing of measuring lines and the rules joints are checked by and plates
-    formed by."""
-
-    joints: dict[str, Joints] = field(default_factory=dict)
-    station_spacing: float = 500.0
-    rules: JointRules | None = None
-    forming: FormingRules = FormingRules()
-
-
-@dataclass(frozen=True, eq=False)
-class MemberGeometry:
-    """A member with the surface and frame it came from and what was found on the way."""
-
-    member: Member
-    surface: Surface
-    frame: FrameInput
-    findings: tuple[Finding, ...]
-
-
-@dataclass(frozen=True, eq=False)
-class PlateGeometry:
-    """A plate and the skin its solid is written from."""
-
-    plate: Plate
-    skin: tuple[SkinPiece, ...]
-
-
-@dataclass(frozen=True, eq=False)
-class MemberPlates:
-    """All plates of a member and what they were cut by."""
-
-    geometry: MemberGeometry
-    plates: tuple[PlateGeometry, ...]
-    findings: tuple[Finding, ...]
-    given: PlatesInput
-
-
-@dataclass(frozen=True, eq=False)
-class Skins:
-    """Tubes of a member's outer skin, each a tuple of pieces."""
-
-    tubes: tuple[tuple[SkinPiece, ...], ...]
+from .welds import welds_of
+from .zone_table import zone_records
+from .zones import section_law
 
 
 @memoised
@@ -115,13 +81,21 @@ def member_of(given: MemberInput, axis: Axis, surface: Surface) -> MemberGeometr
     if has_error(found):
         raise BendTorsionError(found)
     try:
-        frames = frames_of(axis, surface, frame)
+        frames = _frames(axis, surface, frame)
         return _geometry(given, axis, surface, frame, frames, found)
     except BendTorsionError as problem:
         raise BendTorsionError((*found, *problem.findings)) from problem
 
 
+@memoised
+def _frames(axis: Axis, surface: Surface, frame: FrameInput) -> Frames:
+    return frames_of(axis, surface, frame)
+
+
 def _geometry(given, axis, surface, frame, frames, found) -> MemberGeometry:
+    lifts, aligned = surface_lifts(
+        given.name, given.segments, frames, surface, given.offset_y, given.offset_z
+    )
     law = section_law(
         given.name,
         given.segments,
@@ -129,59 +103,74 @@ def _geometry(given, axis, surface, frame, frames, found) -> MemberGeometry:
         given.offset_y,
         given.offset_z,
         given.transition_length,
+        lifts,
+        axis.closed,
+        given.thickness,
     )
     member = Member(given.name, frames, law)
     member.check_bend()
-    return MemberGeometry(member, surface, frame, (*axis.findings, *found, *law.findings))
+    member = with_end_cuts(member, (given.start_cut, given.end_cut))
+    return MemberGeometry(member, surface, frame, (*axis.findings, *found, *aligned, *law.findings))
+
+
+@memoised
+def meeting_of(
+    through: MemberGeometry, other: MemberGeometry, given: NodeInput, rules: NodeRules
+) -> Found:
+    """The node of two members, the first of which runs through, or the errors that say why there
+    is none."""
+    return find_nodes({g.member.name: g.member for g in (through, other)}, {}, (given,), rules)
+
+
+def noded(geometry: MemberGeometry, nodes: MemberNodes) -> MemberGeometry:
+    """A member with what its nodes take of it."""
+    return _noded(geometry, nodes) if nodes.gaps or nodes.diaphragms else geometry
+
+
+@memoised
+def _noded(geometry: MemberGeometry, nodes: MemberNodes) -> MemberGeometry:
+    return replace(geometry, member=with_nodes(geometry.member, nodes))
 
 
 @memoised
 def plates_of(geometry: MemberGeometry, given: PlatesInput) -> MemberPlates:
     """Plates with the skins of their solids; raises BendTorsionError for joints that cannot be."""
+    geometry = in_pieces(geometry, given)
     plates, findings = split_plates(
-        geometry.member, given.joints, given.station_spacing, given.rules
+        geometry.member,
+        given.joints,
+        given.station_spacing,
+        given.rules,
+        given.lanes,
+        given.keep_outs(
+            geometry.member.length, [piece.end for piece in geometry.member.pieces[:-1]]
+        ),
     )
+    plates, flat = with_parts(
+        geometry.member, plates, given.diaphragms, given.openings, given.marks
+    )
+    flat = (*flat, *numbered(geometry.member, flat))
     return MemberPlates(
         geometry,
-        tuple(map(PlateGeometry, plates, _plate_skins(plates))),
+        tuple(map(PlateGeometry, plates, *skins_and_volumes(plates))),
         (*geometry.findings, *findings),
         given,
+        tuple(replace(part, piece=geometry.member.piece_at(part.face, part.s)) for part in flat),
     )
 
 
-def _plate_skin(plate: Plate) -> tuple[SkinPiece, ...]:
-    """The skin in ring order: outer first, outer second, inner second, inner first."""
-    return _plate_skins([plate])[0]
+def in_pieces(geometry: MemberGeometry, given: PlatesInput) -> MemberGeometry:
+    """A member cut into its delivery pieces; raises BendTorsionError as `with_pieces`."""
+    asked = given.pieces or geometry.member.gaps
+    return _in_pieces(geometry, given.pieces, given.rules) if asked else geometry
 
 
-def _plate_skins(plates: Sequence[Plate]) -> list[tuple[SkinPiece, ...]]:
-    """Skins refined until each holds its plate's volume well within VOLUME_RELATIVE."""
-    done: dict[int, tuple[SkinPiece, ...]] = {}
-    pending, tolerance = list(range(len(plates))), tolerances.SKIN_CORNER
-    while pending:
-        groups = [plates[i].rails for i in pending]
-        made = _in_ring_order(
-            skins(
-                [((r.outer, r.inner), (r.outer_folds, r.inner_folds)) for r in groups],
-                tolerance=tolerance,
-            )
-        )
-        done.update(zip(pending, made, strict=True))
-        tolerance /= 16.0
-        pending = [
-            i
-            for i, volume in zip(pending, skin_volumes(made), strict=True)
-            if abs(volume / plates[i].volume - 1.0) > 0.25 * tolerances.VOLUME_RELATIVE
-            and tolerance > tolerances.INTERPOLATION_RELATIVE * 1e6
-        ]
-    return [done[i] for i in range(len(plates))]
-
-
-def _in_ring_order(made: Sequence[tuple[SkinPiece, ...]]) -> list[tuple[SkinPiece, ...]]:
-    return [
-        tuple(SkinPiece(piece.knots, piece.poles[[0, 1, 3, 2]]) for piece in pieces)
-        for pieces in made
-    ]
+@memoised
+def _in_pieces(
+    geometry: MemberGeometry, pieces: tuple[PieceInput, ...], rules: JointRules | None
+) -> MemberGeometry:
+    member, findings = with_pieces(geometry.member, pieces, rules)
+    return replace(geometry, member=member, findings=(*geometry.findings, *findings))
 
 
 @memoised
@@ -189,64 +178,47 @@ def member_skins(geometry: MemberGeometry) -> Skins:
     """The outer skin of a member: of a closed section one tube per stretch without a step, of an
     open one its strips between the joints the section asks for."""
     member = geometry.member
+    reach = member.reach
     if member.law.sections[0].closed:
-        return Skins(_corner_tubes(member))
-    edges = [0.0, *member.law.joints, member.length]
+        return Skins(corner_tubes(member, reach))
+    edges = {
+        k: [reach[0], *member.law.joints_of(k), reach[1]] for k in range(len(member.law.strips))
+    }
     rails = rails_between(
         member,
-        [
-            (k, a, b)
-            for k in range(len(member.law.strips))
-            for a, b in zip(edges[:-1], edges[1:], strict=True)
-        ],
+        [(k, a, b) for k, own in edges.items() for a, b in zip(own[:-1], own[1:], strict=True)],
     )
     return Skins(
         tuple(
-            _in_ring_order(
+            in_ring_order(
                 skins([((r.outer, r.inner), (r.outer_folds, r.inner_folds)) for r in rails])
             )
         )
     )
 
 
-def _corner_tubes(member: Member) -> tuple[tuple[SkinPiece, ...], ...]:
-    """The corner lines: a tube between steps, a piece of it between folds and ends of smooth
-    transitions."""
-    edges = [0.0, *_steps(member), member.length]
-    cells = member.law.cells
-    # Smooth transitions have no folds, but their curvature begins and ends abruptly.
-    folds = sorted(
-        {
-            *member.law.folds,
-            *(
-                after.start
-                for before, after in zip(cells, cells[1:], strict=False)
-                if before.corner_bends is not None or after.corner_bends is not None
-            ),
-        }
-    )
-    return tuple(
-        skin((member.corners(a, b),), (tuple(f for f in folds if a < f < b),))
-        for a, b in zip(edges[:-1], edges[1:], strict=True)
-    )
-
-
 @memoised
-def record_of(plates: MemberPlates, mode: str = "edges") -> MemberRecord:
-    """The lofting record of a member: flat patterns and the figures reported, recomputed.
-
-    mode: how plates are laid flat, one of pattern.MODES.
-    """
+def record_of(plates: MemberPlates, given: PatternInput = PLAIN) -> MemberRecord:
+    """The lofting record of a member: flat patterns and the figures reported, recomputed."""
     geometry = plates.geometry
     member = geometry.member
-    developed = tuple(
-        develop_plate(item.plate, mode=mode, rules=plates.given.forming) for item in plates.plates
+    developed = laid_flat(
+        member,
+        [item.plate for item in plates.plates],
+        given,
+        plates.given.forming,
+        plates.given.keep_outs(member.length)["diaphragm"],
     )
+    figures = figures_of(plates)
+    developed = tuple(
+        replace(plate, centre_of_gravity=own.centre, painted_area=area)
+        for plate, own, area in zip(developed, figures.solids, figures.painted, strict=True)
+    ) + tuple(map(developed_flat, plates.flat))
     rms, largest = member.frames.axis.distance_to(geometry.surface)
     findings = list(plates.findings)
     for plate in developed:
         twist_width = np.sqrt(8.0 * plate.strain_max)
-        if mode == "edges" and twist_width > tolerances.LOCKED_IN_TWIST_WIDTH:
+        if given.mode == "edges" and twist_width > tolerances.LOCKED_IN_TWIST_WIDTH:
             findings.append(
                 warning(
                     "locked-in-stress",
@@ -258,7 +230,15 @@ def record_of(plates: MemberPlates, mode: str = "edges") -> MemberRecord:
                     unit="MPa",
                 )
             )
-        findings += _beyond_stock(plate, plates.given.rules)
+        findings += beyond_stock(plate, plates.given.rules)
+    rows = [row.on(member.length) for row in plates.given.edges]
+    welds, weld_findings = welds_of(
+        member.name, developed, member.law.strips, rows, plates.given.welds
+    )
+    findings += weld_findings
+    developed = with_bevels(
+        developed, welds, plates.given.welds.bevel_step, given.contour
+    )
     sections = []
     for section in member.law.sections:
         if not sections or sections[-1] != section.title:
@@ -275,82 +255,117 @@ def record_of(plates: MemberPlates, mode: str = "edges") -> MemberRecord:
         torsion_error_max=torsion_error(geometry),
         total_torsion=float(theta[-1]),
         plates=developed,
-        wireframe=_wireframe(member),
+        wireframe=wireframe(member) | {f.mark: f.ring for f in plates.flat},
         findings=tuple(findings),
+        zones=zone_records(member.law),
+        centre_of_gravity=figures.centre_of_gravity,
+        painted_area=painted_area(geometry),
+        pieces=pieces_of(plates),
+        nodes=member.node_records,
+        welds=welds,
+        controls=control_sections(member, plates.pieces, [item.plate for item in plates.plates]),
     )
 
 
-def _beyond_stock(plate: DevelopedPlate, rules: JointRules | None) -> list[Finding]:
-    """Warnings for a pattern longer or wider than the stock of the rules."""
-    if rules is None:
-        return []
-    return [
-        warning(
-            "beyond-stock",
-            plate.mark,
-            f"the pattern is {what} than the stock",
-            mend,
-            value=size,
-            limit=limit,
-            unit="mm",
+@memoised
+def figures_of(plates: MemberPlates) -> PlateFigures:
+    """Centres of gravity and painted areas of the plates, from the faces of their solids."""
+    own = [item.plate for item in plates.plates]
+    whole = plate_figures(
+        plates.geometry.member.law.sections[0], own, [item.skin for item in plates.plates]
+    )
+    return net_figures(whole, own, plates.flat)
+
+
+def pieces_of(plates: MemberPlates) -> tuple[PieceFigures, ...]:
+    """The delivery pieces with what they hold, its mass and centre of gravity."""
+    solids = figures_of(plates).solids
+    parts = [
+        (
+            item.plate.mark,
+            item.plate.piece,
+            item.plate.net_volume * item.plate.material.density,
+            own.centre,
         )
-        for what, size, limit, mend in (
-            ("longer", plate.length, rules.longest_piece, "give it a joint, or order longer stock"),
-            ("wider", plate.width, rules.widest_piece, "give it a joint, or order wider stock"),
-        )
-        if size > limit
+        for item, own in zip(plates.plates, solids, strict=True)
     ]
+    parts += [(f.mark, f.piece, f.mass, f.centre_of_gravity) for f in plates.flat]
+    return piece_figures(plates.pieces, parts)
 
 
-def torsion_error(geometry: MemberGeometry) -> float:
-    """Largest angle, rad, between the section as built and as the surface normal asks for.
+def painted_area(geometry: MemberGeometry) -> float:
+    """Area, mm2, of a member seen from outside, ends apart (`mass.skin_area`)."""
+    tubes = member_skins(geometry).tubes
+    if geometry.member.ends != (None, None) or geometry.member.gaps:
+        return cut_skin_area(geometry.member, tubes)
+    return skin_area(geometry.member.law, tubes)
 
-    Built: the direction between the two outermost corners, read off the skin's splines at four
-    times the stations. Asked: the z axis of the frame wanted (the surface normal at the axis minus
-    its tangent part, turned by the roll), worked out afresh.
-    """
-    member = geometry.member
-    worst = 0.0
-    for tube in _corner_tubes(member):
-        for piece in tube:
-            start, end = piece.knots[0], piece.knots[-1]
-            s = np.linspace(start, end, 4 * (piece.poles.shape[1] - 3) + 1)
-            built = piece.at(s)
-            i, j = _farthest(built[0])
-            direction = built[:, j] - built[:, i]
-            direction /= np.linalg.norm(direction, axis=1, keepdims=True)
-            x = member.frames.axis.tangent(s)
-            z = wanted_z(member.frames.axis, geometry.surface, geometry.frame, s)
-            y = np.cross(z, x)
-            cell = next(c for c in member.law.cells if c.start <= start < c.end)
-            plane = cell.corners_at(s)
-            asked = plane[:, j] - plane[:, i]
-            asked /= np.linalg.norm(asked, axis=1, keepdims=True)
-            asked = asked[:, :1] * y + asked[:, 1:] * z
-            angle = 2.0 * np.arcsin(0.5 * np.linalg.norm(direction - asked, axis=1).clip(0, 2))
-            worst = max(worst, float(angle.max()))
-    return worst
+
+@dataclass(frozen=True, eq=False)
+class MemberBeds:
+    """The assembly beds of a member's pieces, in order, and what was found about them."""
+
+    beds: tuple[Bed, ...]
+    findings: tuple[Finding, ...]
+
+
+@memoised
+def beds_of(plates: MemberPlates, given: BedInput) -> MemberBeds:
+    """The bed of each delivery piece, with saddles at its diaphragms; raises BendTorsionError for
+    what cannot be bedded as given."""
+    member = plates.geometry.member
+    diaphragms = [part.s for part in plates.flat if part.face == "diaphragm"]
+    spacing = plates.given.station_spacing
+    pieces = member.pieces
+    beds = tuple(
+        bed_of(
+            member,
+            given,
+            spacing,
+            piece.number if len(pieces) > 1 else 0,
+            piece.start,
+            piece.end,
+            [s for s in diaphragms if piece.start <= s <= piece.end],
+            whole_faces(own := [p.plate for p in plates.plates if p.plate.piece == piece.number]),
+            corner_ends(member, own),
+        )
+        for piece in plates.pieces
+    )
+    return MemberBeds(beds, tuple(found for bed in beds for found in steep_findings(bed)))
+
+
+@memoised
+def with_beds(record: MemberRecord, beds: MemberBeds) -> MemberRecord:
+    """The record with its beds and what was found about them."""
+    return replace(record, beds=beds.beds, findings=(*record.findings, *beds.findings))
 
 
 @dataclass(frozen=True, eq=False)
 class MemberJob:
-    """Everything one member is computed from."""
+    """Everything one member is computed from; meets: the nodes it takes part in, for the record."""
 
     surface: Surface
     axis: AxisInput
     member: MemberInput
     plates: PlatesInput
+    bed: BedInput = BedInput()
+    patterns: PatternInput = PLAIN
+    nodes: MemberNodes = MemberNodes()
+    meets: tuple[Node, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
 class DetailedMember:
-    """All results of one member, for the memo of another process."""
+    """All results of one member, for the memo of another process; patterns: the record without
+    the beds."""
 
     axis: Axis
     geometry: MemberGeometry
     skins: Skins
     plates: MemberPlates
     record: MemberRecord
+    patterns: MemberRecord
+    beds: MemberBeds
 
 
 def detail(job: MemberJob) -> DetailedMember:
@@ -358,56 +373,16 @@ def detail(job: MemberJob) -> DetailedMember:
     axis = axis_of(job.axis, job.surface)
     try:
         geometry = member_of(job.member, axis, job.surface)
-        plates = plates_of(geometry, job.plates)
-        record = record_of(plates, "edges")
+        plates = plates_of(noded(geometry, job.nodes), job.plates)
+        patterns, beds = record_of(plates, job.patterns), beds_of(plates, job.bed)
     except BendTorsionError as problem:
         # A point out of place often is the cause: what was found on the axis comes first.
         raise BendTorsionError(dict.fromkeys((*axis.findings, *problem.findings))) from problem
-    return DetailedMember(axis, geometry, member_skins(geometry), plates, record)
+    record = with_beds(patterns, beds)
+    return DetailedMember(axis, geometry, member_skins(geometry), plates, record, patterns, beds)
 
 
 def adopt(results: DetailedMember) -> None:
     """Take results computed in another process into this one's memo."""
     for result in vars(results).values():
         remember(result)
-
-
-def failed_record(name: str, findings: tuple[Finding, ...]) -> MemberRecord:
-    """The record of a member in error: no plates, no figures."""
-    if not any(f.severity == "error" for f in findings):
-        findings = (*findings, error("member-failed", name, "the member could not be built"))
-    return MemberRecord(member=name, sections="", section_type="", findings=findings)
-
-
-def _farthest(corners: np.ndarray) -> tuple[int, int]:
-    distance = np.linalg.norm(corners[:, None] - corners[None, :], axis=2)
-    i, j = np.unravel_index(int(np.argmax(distance)), distance.shape)
-    return int(i), int(j)
-
-
-def _steps(member: Member) -> list[float]:
-    """Places where the outer skin itself jumps."""
-    steps = []
-    for before, after in zip(member.law.cells[:-1], member.law.cells[1:], strict=True):
-        at_end = before.corners_at(np.array([before.end]))[0]
-        if np.abs(after.corners - at_end).max() > tolerances.FACES_FLUSH:
-            steps.append(after.start)
-    return steps
-
-
-def _wireframe(member: Member, spacing: float = 250.0) -> dict[str, np.ndarray]:
-    """Polylines for overview drawings: axis, corner lines by name."""
-    count = max(8, int(np.ceil(member.length / spacing)))
-    s = np.unique(
-        np.concatenate(
-            [np.linspace(0.0, member.length, count + 1), [cell.start for cell in member.law.cells]]
-        )
-    )
-    corners = member.corners(0.0, member.length)
-    both = np.concatenate([corners(s, "earlier")[:, None], corners(s)[:, None]], axis=1)
-    both[0, 0] = both[0, 1]
-    lines = both.reshape(2 * len(s), -1, 3)
-    names = member.law.sections[0].corner_names
-    frame = {name: lines[:, k] for k, name in enumerate(names)}
-    frame["axis"] = member.frames.axis.position(s)
-    return frame

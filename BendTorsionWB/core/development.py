@@ -12,6 +12,7 @@ ruling belongs to both sides. A correction (the `elastic` mode) moves points off
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -20,7 +21,6 @@ from .piecewise import Piecewise
 
 ACROSS = np.linspace(0.0, 1.0, 5)
 """Places across a plate at which guards and strains are taken."""
-
 
 RULING_MODES = ("edges", "energy")
 """What a ruling development keeps best: the length of both edges, or its strain low."""
@@ -87,9 +87,16 @@ class Development:
     plane: Piecewise
     correction: Piecewise | None = None
 
+    @cached_property
+    def _both(self) -> Piecewise:
+        """Surface and plane, which have the same breaks, side by side."""
+        values = np.concatenate([self.surface.values, self.plane.values], axis=2)
+        return Piecewise(self.surface.breaks, values)
+
     def rulings(self, s: np.ndarray) -> Rulings:
         """The rulings at s (n,)."""
-        rails, value = self.surface(s), self.plane(s)
+        both = self._both(s)
+        rails, value = both[:, :6], both[:, 6:]
         correction = None
         if self.correction is not None:
             correction = self.correction(s).reshape(len(rails), -1, 2)
@@ -300,7 +307,8 @@ def flat_area(development: Development) -> float:
     plane = development.plane
     if development.correction is None:
         value, slope = plane.values, plane.derivative.values
-        along = slope[..., 0] * np.cos(value[..., 2]) + slope[..., 1] * np.sin(value[..., 2])
+        angle = value[..., 2].copy()
+        along = slope[..., 0] * np.cos(angle) + slope[..., 1] * np.sin(angle)
         strip = value[..., 3] * along - 0.5 * value[..., 3] ** 2 * slope[..., 2]
         return float(Piecewise(plane.breaks, strip[..., None]).integral()[0])
     correction = development.correction
@@ -328,13 +336,15 @@ class SurfaceShape:
 
 def shape_of(rails: Piecewise, s: np.ndarray, w: np.ndarray) -> SurfaceShape:
     """First and second fundamental forms of the ruled surface at s (n,) and w (k,)."""
-    return _shape(rails(s), rails.derivative(s), rails.derivative.derivative(s), w)
+    value = rails.with_rates(s)
+    return shape_from(value[:, :6], value[:, 6:12], value[:, 12:], w)
 
 
 def gauss_of(rails: Piecewise, s: np.ndarray, w: float) -> np.ndarray:
     """Gaussian curvature (n,), 1/mm2, of the ruled surface at s (n,) along w: −(T·n̂)²/W²ρ², T the
     rate of the ruling."""
-    value, rate = rails(s), rails.derivative(s)
+    both = rails.with_rates(s)
+    value, rate = both[:, :6], both[:, 6:12]
     ruling, twist = value[:, 3:] - value[:, :3], rate[:, 3:] - rate[:, :3]
     normal = crossed(rate[:, :3] + w * twist, ruling)
     area = (normal * normal).sum(axis=1)
@@ -344,10 +354,13 @@ def gauss_of(rails: Piecewise, s: np.ndarray, w: float) -> np.ndarray:
 def shape_inside(rails: Piecewise, w: np.ndarray) -> SurfaceShape:
     """shape_of at all nodes inside the pieces."""
     pieces = rails, rails.derivative, rails.derivative.derivative
-    return _shape(*(piece.values[:, 1:-1].reshape(-1, 6) for piece in pieces), w)
+    return shape_from(*(piece.values[:, 1:-1].reshape(-1, 6) for piece in pieces), w)
 
 
-def _shape(value: np.ndarray, rate: np.ndarray, bend: np.ndarray, w: np.ndarray) -> SurfaceShape:
+def shape_from(
+    value: np.ndarray, rate: np.ndarray, bend: np.ndarray, w: np.ndarray
+) -> SurfaceShape:
+    """As shape_of, from values, rates and second derivatives (n, 6) of the rails."""
     ruling = (value[:, 3:] - value[:, :3])[:, None, :]
     twist = (rate[:, 3:] - rate[:, :3])[:, None, :]
     weight = np.asarray(w)[None, :, None]

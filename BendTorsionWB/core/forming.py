@@ -4,7 +4,7 @@ and what it takes to pull the plate down. Springback is left to the shop."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,16 +14,19 @@ from .development import (
     Development,
     SurfaceShape,
     crossed,
+    shape_from,
     shape_inside,
-    shape_of,
     strain_at_nodes,
 )
+from .forming_record import FoldBend, FormingClass, FormingRecord, Peak, PullDown, RollLine
+from .piecewise import evaluate_together
 from .section import Material
 
 POISSON = 0.3
 GRAVITY = 9.80665e-3
 """kN per kg."""
 CLASSES = ("flat", "elastic", "cold", "hot")
+_THREE = np.array([0.0, 0.5, 1.0])
 
 
 @dataclass(frozen=True)
@@ -40,93 +43,77 @@ class FormingRules:
     fold_without_press: float = np.radians(0.1)
 
 
-@dataclass(frozen=True)
-class FormingClass:
-    """`flat`, `elastic`, `cold` or `hot`; the rule that decided, with its value and limit.
-
-    The deciding rule is the one that ruled out the next easier class; for `flat` the one met.
-    """
-
-    name: str
-    rule: str
-    value: float
-    limit: float
-    unit: str
-
-
-@dataclass(frozen=True, eq=False)
-class RollLine:
-    """A line of least curvature, straight in the plane from the first to the second edge: ends
-    (2, 2) in the plane, radius (3,) mm rolled about it at its ends and middle, angle (rad) it is
-    askew to the ruling through its middle."""
-
-    s: float
-    flat: np.ndarray
-    radius: np.ndarray
-    skew: float
-
-
-@dataclass(frozen=True)
-class PullDown:
-    """What pulls a flat plate elastically into shape: bending moment across the plate and torque
-    along it, kNm; the alternating corner force of that torque, kN; clamping forces at mid-length
-    and at each corner, kN, that remain when the plate's own weight helps."""
-
-    moment: float
-    torque: float
-    corner_force: float
-    clamp_middle: float
-    clamp_corner: float
-
-    @property
-    def drops_in(self) -> bool:
-        return self.clamp_middle == 0.0 and self.clamp_corner == 0.0
-
-
-@dataclass(frozen=True, eq=False)
-class Forming:
-    """Everything the forming shop asks of one plate. twist_max: rad/mm. flat_deviation: mm, half
-    the band about the best plane. stress_max: MPa, of forcing the flat plate elastically into
-    shape (bending, twist and membrane; von Mises on the faces)."""
-
-    forming_class: FormingClass
-    strain_max: float
-    stress_max: float
-    bending_radius_min: float
-    twist_max: float
-    flat_deviation: float
-    roll_lines: tuple[RollLine, ...]
-    pull_down: PullDown
-    advice: str
-
-
 def forming_of(
     development: Development,
     thickness: float,
     material: Material,
     mass: float,
-    places: np.ndarray,
+    length: float,
     fold_angles: Sequence[float] = (),
     rules: FormingRules | None = None,
-) -> Forming:
-    """The forming record of a plate: mass in kg, roll lines through the middle at `places`."""
+    *,
+    shape: SurfaceShape | None = None,
+    stretch: np.ndarray | None = None,
+    placed: Callable[[np.ndarray], np.ndarray] | None = None,
+    roll_lines: Sequence[RollLine] = (),
+    fold_lines: Sequence[FoldBend] = (),
+) -> FormingRecord:
+    """The forming record of a plate: mass in kg, length (mm) between its end lines.
+
+    shape and stretch: shape_inside and the strain of flattening at the same (n, k) places, when
+    they are known already; placed: points (n, 2) of the development's plane -> pattern points.
+    Roll lines are left out of a plate that may stay flat.
+    """
     rules = rules or FormingRules()
-    shape, stretch = shape_inside(development.surface, ACROSS), _stretch_inside(development)
+    shape = shape_inside(development.surface, ACROSS) if shape is None else shape
+    stretch = _stretch_inside(development) if stretch is None else stretch
     stress = forced_stress(shape, stretch, thickness, material)
-    kind = classify(development, shape, stretch, thickness, material, fold_angles, rules)
-    down = pull_down(development, shape, thickness, material, mass)
-    sharpest = float(shape.sharpest.max())
-    return Forming(
-        forming_class=kind,
-        strain_max=float(np.abs(stretch).max()),
-        stress_max=float(stress.max()),
-        bending_radius_min=1.0 / sharpest if sharpest > 1e-12 else np.inf,
-        twist_max=float(np.abs(shape.twist).max()),
-        flat_deviation=flat_deviation(development),
-        roll_lines=() if kind.name == "flat" else roll_lines(development, places),
-        pull_down=down,
-        advice=_advice(kind, down),
+    deviation = flat_deviation(development)
+    strain = np.abs(stretch)
+    kind = classify(
+        deviation,
+        float(stress.max()),
+        float(shape.sharpest.max()),
+        float(strain.max()),
+        thickness,
+        material,
+        fold_angles,
+        rules,
     )
+    return FormingRecord(
+        forming_class=kind,
+        **_peaks(development, placed, strain=strain, stress=stress),
+        locked_in_stress=material.e * float(strain.max()),
+        bending_radius_min=_radius(float(shape.sharpest.max())),
+        twist_max=float(np.abs(shape.twist).max()),
+        flat_deviation=deviation,
+        flat_tolerance=rules.flat_within,
+        roll_lines=() if kind.name == "flat" else tuple(roll_lines),
+        fold_lines=tuple(fold_lines),
+        pull_down=pull_down(development, shape, thickness, material, mass, length),
+    )
+
+
+def _peaks(development: Development, placed, **fields: np.ndarray) -> dict[str, Peak]:
+    """Where fields (n, k) at the places of shape_inside are largest."""
+    nodes = development.surface.nodes[:, 1:-1].ravel()
+    at = [np.unravel_index(int(np.argmax(field)), field.shape) for field in fields.values()]
+    s, w = nodes[[i for i, _ in at]], ACROSS[[j for _, j in at]]
+    if development.correction is None:
+        # The nodes' own values: no evaluation. Copied, since numpy's sine of a strided view has
+        # other last bits from run to run.
+        nodal = development.plane.values[:, 1:-1].reshape(-1, 4)[[i for i, _ in at]]
+        angle, reach = nodal[:, 2].copy(), w * nodal[:, 3]
+        places = np.stack(
+            [nodal[:, 0] - reach * np.sin(angle), nodal[:, 1] + reach * np.cos(angle)], axis=1
+        )
+    else:
+        places = development.flat(s, w)
+    places = places if placed is None else placed(places)
+    return {
+        name: Peak(float(field[at[k]]), float(s[k]), float(w[k]), places[k])
+        for k, (name, field) in enumerate(fields.items())
+    }
 
 
 def _stretch_inside(development: Development) -> np.ndarray:
@@ -151,15 +138,17 @@ def forced_stress(
 
 
 def classify(
-    development: Development,
-    shape: SurfaceShape,
-    stretch: np.ndarray,
+    deviation: float,
+    stress: float,
+    sharpest: float,
+    strain: float,
     thickness: float,
     material: Material,
     fold_angles: Sequence[float],
     rules: FormingRules,
 ) -> FormingClass:
-    """The forming class of a plate by rule; shape and stretch at common places (n, k).
+    """The forming class of a plate by rule: its deviation from a plane (mm), largest forced stress
+    (MPa), largest curvature (1/mm) and largest strain of flattening.
 
     flat: within `flat_within` of a plane. elastic: forced stress within `elastic_stress`. cold:
     radius not below the cold radius and membrane strain below yield, since rolling gives none.
@@ -167,14 +156,12 @@ def classify(
     """
     fold = float(max((abs(angle) for angle in fold_angles), default=0.0))
     folded = fold > rules.fold_without_press
-    deviation = flat_deviation(development)
     if deviation <= rules.flat_within and not folded:
         return FormingClass("flat", "flat_within", deviation, rules.flat_within, "mm")
-    stress = float(forced_stress(shape, stretch, thickness, material).max())
     mild = material.fy <= rules.mild_up_to
     ratio = rules.cold_radius_mild if mild else rules.cold_radius_low_alloy
-    radius = 1.0 / max(float(shape.sharpest.max()), 1e-12)
-    membrane = float(np.abs(stretch).max()) * material.e
+    radius = 1.0 / max(sharpest, 1e-12)
+    membrane = strain * material.e
     if radius < ratio * thickness:
         rule = "cold_radius_mild" if mild else "cold_radius_low_alloy"
         return FormingClass("hot", rule, radius, ratio * thickness, "mm")
@@ -212,65 +199,85 @@ def flat_deviation(development: Development) -> float:
     return float(0.5 * (height.max() - height.min()))
 
 
-def roll_lines(development: Development, places: np.ndarray) -> tuple[RollLine, ...]:
-    """Lines of least curvature through the middle of the rulings at places (n,)."""
+def roll_lines_of(
+    development: Development,
+    places: np.ndarray,
+    rulings: np.ndarray,
+    border: Sequence[np.ndarray],
+    forward: float = 1.0,
+    rails: np.ndarray | None = None,
+) -> tuple[RollLine, ...]:
+    """Lines of least curvature through the middle of the rulings at places (n,).
+
+    rulings: (n, 2, 2) their ends in the pattern. border: chains (k, 2) of points, the runs of the
+    outline and the folds, which a roll line ends at. forward: -1 in a mirrored pattern, where +s
+    lies to the left of the rulings. Radii at the ends are interpolated between the places. A
+    line whose middle lies outside the border is left out. rails: (n, 6) of the surface at the
+    places, when they are known already.
+    """
     places = np.asarray(places, float)
-    shape = shape_of(development.surface, places, np.array([0.5]))
-    bend, twist = shape.bend[:, 0], shape.twist[:, 0]
+    rate = development.surface.derivative
+    value = development.surface(places) if rails is None else rails
+    shape = shape_from(value, *evaluate_together([rate, rate.derivative], [places] * 2), _THREE)
+    bend, twist = shape.bend[:, 1], shape.twist[:, 1]
     # Principal directions of [[bend, twist], [twist, 0]]; the least lies nearest the ruling.
     skew = 0.5 * np.arctan2(np.where(bend < 0.0, 2.0, -2.0) * twist, np.abs(bend))
-    half = np.full(len(places), 0.5)
-    middle = development.flat(places, half)
-    by_s, by_w = development.jacobian(places, half)
-    ruling = by_w / np.sqrt((by_w * by_w).sum(axis=1, keepdims=True))
-    normal = np.column_stack([ruling[:, 1], -ruling[:, 0]])
-    along = np.cos(skew)[:, None] * ruling + np.sin(skew)[:, None] * normal
-    ends, radii = [], []
-    for w in (0.0, 1.0):
-        s, at = _edge_hit(development, places, middle, along, w)
-        ends.append(development.flat(s, at))
-        radii.append(_radius_about(development, s, at))
-    radii.insert(1, _radius_about(development, places, half))
+    middle = rulings.mean(axis=1)
+    ruling = rulings[:, 1] - rulings[:, 0]
+    ruling = ruling / np.sqrt((ruling * ruling).sum(axis=1, keepdims=True))
+    ahead = forward * np.stack([ruling[:, 1], -ruling[:, 0]], axis=1)
+    along = np.cos(skew)[:, None] * ruling + np.sin(skew)[:, None] * ahead
+    below, above, inside = _hits(middle, along, border)
+    ends = middle[:, None] + along[:, None] * np.stack([below, above], axis=1)[..., None]
+    # Along the edges +s is nearly the direction ahead: the end lies this much farther on.
+    shift = np.sin(skew)[:, None] * np.stack([below, above], axis=1)
+    sharp = np.stack(
+        [
+            np.interp(places + shift[:, 0], places, shape.sharpest[:, 0]),
+            shape.sharpest[:, 1],
+            np.interp(places + shift[:, 1], places, shape.sharpest[:, 2]),
+        ],
+        axis=1,
+    )
+    radius = np.where(sharp > 1e-12, 1.0 / np.maximum(sharp, 1e-12), np.inf)
     return tuple(
         RollLine(
+            f"R-{k}",
             float(places[i]),
-            np.array([ends[0][i], ends[1][i]]),
-            np.array([float(radius[i]) for radius in radii]),
+            ends[i],
+            radius[i],
             float(skew[i]),
         )
-        for i in range(len(places))
+        for k, i in enumerate(np.flatnonzero(inside).tolist(), start=1)
     )
 
 
-def _radius_about(development: Development, s: np.ndarray, w: np.ndarray) -> np.ndarray:
-    sharpest = np.array(
-        [
-            shape_of(development.surface, s[i : i + 1], w[i : i + 1]).sharpest[0, 0]
-            for i in range(len(s))
-        ]
-    )
-    return np.where(sharpest > 1e-12, 1.0 / np.maximum(sharpest, 1e-12), np.inf)
+def _hits(
+    middle: np.ndarray, along: np.ndarray, border: Sequence[np.ndarray]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """How far lines from `middle` (n, 2) along unit vectors (n, 2) run back and forth to the first
+    of the chains (k, 2) of points, and whether both ends are found: (n,) each."""
+    points = np.concatenate(border)
+    chained = np.ones(len(points) - 1, bool)
+    chained[np.cumsum([len(chain) for chain in border])[:-1] - 1] = False
+    left = np.stack([-along[:, 1], along[:, 0]], axis=1)
+    side = points[:, 0] * left[:, :1] + points[:, 1] * left[:, 1:]
+    side -= (middle * left).sum(axis=1)[:, None]
+    behind = side <= 0.0
+    line, at = np.nonzero((behind[:, :-1] != behind[:, 1:]) & chained)
+    share = side[line, at] / (side[line, at] - side[line, at + 1])
+    met = points[at] + share[:, None] * (points[at + 1] - points[at])
+    place = ((met - middle[line]) * along[line]).sum(axis=1)
+    below, above = np.full(len(middle), -np.inf), np.full(len(middle), np.inf)
+    np.minimum.at(above, line[place > 0.0], place[place > 0.0])
+    np.maximum.at(below, line[place <= 0.0], place[place <= 0.0])
+    found = np.isfinite(above) & np.isfinite(below)
+    return np.where(found, below, 0.0), np.where(found, above, 0.0), found
 
 
-def _edge_hit(
-    development: Development, places: np.ndarray, middle: np.ndarray, along: np.ndarray, w: float
-) -> tuple[np.ndarray, np.ndarray]:
-    """(s, w) where lines through `middle` meet the edge w, or the end line they meet before."""
-    s, at = places.copy(), np.full(len(places), w)
-    plane = development.plane
-    for _ in range(12):
-        gap = development.flat(s, at) - middle
-        rate, _ = development.jacobian(s, at)
-        off = gap[:, 0] * along[:, 1] - gap[:, 1] * along[:, 0]
-        s = s - off / (rate[:, 0] * along[:, 1] - rate[:, 1] * along[:, 0])
-        s = np.clip(s, plane.start - 1.0, plane.end + 1.0)
-    beyond = (s < plane.start) | (s > plane.end)
-    s = np.clip(s, plane.start, plane.end)
-    if beyond.any():
-        at[beyond] = development.ruling_crossing(
-            s[beyond], middle[beyond], middle[beyond] + along[beyond]
-        )
-    return s, at
+def _radius(curvature: float) -> float:
+    """Radius, mm, of a curvature; infinite for what is flat to rounding."""
+    return 1.0 / curvature if curvature > 1e-12 else np.inf
 
 
 def pull_down(
@@ -279,17 +286,15 @@ def pull_down(
     thickness: float,
     material: Material,
     mass: float,
+    length: float,
 ) -> PullDown:
     """Moments and forces of holding the flat plate in shape, its weight helping where it can.
 
     Moment E·b·t³/12(1 − ν²)·κ, torque G·b·t³/3·τ, corner force G·t³/3·τ (plate theory). Weight
     W gives W·L/8 at mid-length of a plate held at its ends, and W/4 at each free corner of a
-    plate held at two opposite ones; the clamp at mid-length has a lever of L/4.
+    plate held at two opposite ones; the clamp at mid-length has a lever of L/4. length: L, mm.
     """
-    plane = development.plane
-    width = float(plane.values[..., 3].max())
-    ends = development.flat(np.array([plane.start, plane.end]), np.array([0.5, 0.5]))
-    length = float(np.sqrt(((ends[1] - ends[0]) ** 2).sum()))
+    width = float(development.plane.values[..., 3].max())
     weight = mass * GRAVITY
     stiffness = material.e * width * thickness**3 / (12.0 * (1.0 - POISSON**2))
     moment = stiffness * float(np.abs(shape.bend).max()) * 1e-6
@@ -311,17 +316,11 @@ def fold_direction(angle: float, marking_face: str) -> str:
     return "up" if (angle > 0) == (marking_face == "inside") else "down"
 
 
-def _advice(kind: FormingClass, down: PullDown) -> str:
-    if kind.name == "flat":
-        return "may stay flat"
-    if kind.name in ("cold", "hot"):
-        how = "press at the folds" if kind.rule == "fold_without_press" else "pre-form"
-        return f"{how} {kind.name}"
-    if down.drops_in:
-        return "drops in"
-    parts = []
-    if down.clamp_middle:
-        parts.append(f"{down.clamp_middle:.1f} kN at mid-length")
-    if down.clamp_corner:
-        parts.append(f"{down.clamp_corner:.1f} kN at each free corner")
-    return "clamp with " + " and ".join(parts)
+def fold_bends(folds: Sequence, marking_face: str) -> tuple[FoldBend, ...]:
+    """The fold lines of a plate (lofting.FoldLine) as the shop bends them."""
+    return tuple(
+        FoldBend(
+            fold.label, fold.s, fold.angle, fold_direction(fold.angle, marking_face), fold.flat
+        )
+        for fold in folds
+    )

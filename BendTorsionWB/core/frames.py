@@ -13,6 +13,7 @@ from .axis import Axis
 from .finding import BendTorsionError, error
 from .frames_law import GivenDirection, angle_law, ordered_places
 from .frames_minimal import carried, closing_angle, minimal_direction, turned
+from .frames_screw import FrameStations, running_on
 from .piecewise import DEGREE, Piecewise, resolve
 from .surface import Surface
 
@@ -39,23 +40,6 @@ class FrameInput:
 
 
 @dataclass(frozen=True, eq=False)
-class FrameStations:
-    """Frames at stations s (n,): origin, x, y, z (n, 3) and curvatures ky, kz, twist (n,).
-
-    x' = ky y + kz z, y' = -ky x + twist z, z' = -kz x - twist y (rates per mm).
-    """
-
-    s: np.ndarray
-    origin: np.ndarray
-    x: np.ndarray
-    y: np.ndarray
-    z: np.ndarray
-    ky: np.ndarray
-    kz: np.ndarray
-    twist: np.ndarray
-
-
-@dataclass(frozen=True, eq=False)
 class Frames:
     """The frames of an axis by arc length.
 
@@ -71,14 +55,24 @@ class Frames:
         return self.position_and_z.breaks
 
     def at(self, s: np.ndarray) -> FrameStations:
-        """The frames at arc lengths s (n,)."""
+        """The frames at arc lengths s (n,); beyond the ends of an open axis on the screw that runs
+        on with the curvatures and the twist of the end."""
+        s = np.asarray(s, float)
+        inside = s.clip(self.position_and_z.start, self.position_and_z.end)
+        past = np.abs(s - inside) > tolerances.SAME_STATION
+        if not past.any():
+            return self._inside(s)
+        found = self._inside(np.where(past, inside, s))
+        return running_on(found, np.where(past, s - inside, 0.0))
+
+    def _inside(self, s: np.ndarray) -> FrameStations:
         value = self._whole(s)
         rate, bend = value[:, 6:12], value[:, 12:]
         x, z = rate[:, :3], value[:, 3:6]
         y = np.cross(z, x)
         ky, kz = (bend * y).sum(axis=1), (bend * z).sum(axis=1)
         twist = -(rate[:, 3:] * y).sum(axis=1)
-        return FrameStations(np.asarray(s, float), value[:, :3], x, y, z, ky, kz, twist)
+        return FrameStations(s, value[:, :3], x, y, z, ky, kz, twist)
 
     @cached_property
     def _whole(self) -> Piecewise:

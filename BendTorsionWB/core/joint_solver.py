@@ -8,22 +8,18 @@ said with the rule that binds and the nearest proposal that would do.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from . import tolerances
-from .development import develop
+from .face_runs import FaceRun, face_runs
 from .finding import BendTorsionError, Finding, error
 from .member import Member
-from .piecewise import Piecewise
-from .strips import rails_between
 
 GRID_STEPS = (10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0)
 MOST_PLACES = 250
-SAMPLE = 50.0
-"""Spacing of the samples a face's lengths, width and turn are read from, mm."""
 
 EVENNESS = 0.1
 """Weight of Σ(length/L)² against one joint; two sets of faces add up to less than one joint."""
@@ -38,36 +34,34 @@ class JointRules:
     longest_piece: float = 12000.0
     widest_piece: float = 2400.0
     fold_clearance: float = 100.0
+    diaphragm_clearance: float = 100.0
+    node_clearance: float = 600.0
+    piece_end_clearance: float = 200.0
+    narrowest_lane: float = 0.25
+    """Of the face's width."""
 
 
-RELAXED_IN_TURN = ("stagger", "fold_clearance", "shortest_piece", "longest_piece")
+KEEP_OUTS = ("diaphragm", "node", "piece_end")
+"""Kinds of places joints keep clear of, folds apart; each has its `clearance` in the rules."""
+
+RELAXED_IN_TURN = (
+    "stagger",
+    "fold_clearance",
+    "diaphragm_clearance",
+    "piece_end_clearance",
+    "node_clearance",
+    "shortest_piece",
+    "longest_piece",
+)
 MEANING = {
     "stagger": "stagger between adjacent faces",
     "fold_clearance": "distance from folds",
+    "diaphragm_clearance": "distance from diaphragms",
+    "piece_end_clearance": "distance from piece ends",
+    "node_clearance": "distance from nodes",
     "shortest_piece": "shortest piece",
     "longest_piece": "longest piece",
 }
-
-
-@dataclass(frozen=True, eq=False)
-class FaceRun:
-    """A face between two forced cuts: its neighbours; at places s (n,), rising: arc lengths of
-    its edges (2, n) from the start, its width (n,) and the turn (n,) of its flat centre line,
-    rad, summed up from the start. given: joints that stay, or None to solve for them."""
-
-    face: str
-    neighbours: tuple[str, ...]
-    s: np.ndarray
-    edges: np.ndarray
-    width: np.ndarray
-    turn: np.ndarray
-    given: tuple[float, ...] | None = None
-
-    def at(self, places: np.ndarray) -> FaceRun:
-        """The run at other places, by interpolation."""
-        edges = np.stack([np.interp(places, self.s, edge) for edge in self.edges])
-        width, turn = (np.interp(places, self.s, v) for v in (self.width, self.turn))
-        return replace(self, s=places, edges=edges, width=width, turn=turn)
 
 
 def solve_run(
@@ -76,10 +70,12 @@ def solve_run(
     folds: Sequence[float],
     forced: Sequence[float] = (),
     member: str = "member",
+    keep_outs: Mapping[str, Sequence[float]] | None = None,
 ) -> dict[str, tuple[float, ...]]:
     """Joints (arc lengths, between the ends) of each face without given ones.
 
-    folds: places joints keep clear of; forced: cuts of all faces, staggered against as well.
+    folds: places joints keep clear of; forced: cuts of all faces, staggered against as well;
+    keep_outs: more places to keep clear of, by their kind, one of KEEP_OUTS.
     Raises BendTorsionError where the stock is narrower than a strip, or no joints keep all
     limits: with the rule that binds and the nearest proposal.
     """
@@ -92,32 +88,33 @@ def solve_run(
                     "stock-too-narrow",
                     member,
                     "the stock is narrower than the face",
-                    "use wider stock, or a smaller section",
+                    "divide it into lanes, or use wider stock or a smaller section",
                     position=f"face {run.face}, s = {run.s[int(np.argmax(run.width))]:.0f} mm",
                     value=widest,
                     limit=rules.widest_piece,
                     unit="mm",
                 )
             )
-    found = _solved(runs, rules, folds, forced)
+    kept = {"fold": folds, **(keep_outs or {})}
+    found = _solved(runs, rules, kept, forced)
     if found is None:
-        raise BendTorsionError(_why_not(runs, rules, folds, forced, member))
+        raise BendTorsionError(_why_not(runs, rules, kept, forced, member))
     return found
 
 
 def _solved(
     runs: Sequence[FaceRun],
     rules: JointRules,
-    folds: Sequence[float],
+    kept: Mapping[str, Sequence[float]],
     forced: Sequence[float],
 ) -> dict[str, tuple[float, ...]] | None:
     start, end = runs[0].s[0], runs[0].s[-1]
     step = _step(end - start)
-    found = _on_coarse(runs, rules, folds, forced)
+    found = _on_coarse(runs, rules, kept, forced)
     fewest = sum(_least_count(run, rules) for run in runs if run.given is None)
     if step > GRID_STEPS[0] and (found is None or sum(map(len, found.values())) > fewest):
         # A finer grid may save a joint where the limits leave less than a step to spare.
-        finer = _on_grid(runs, rules, folds, forced, _grid(start, end, 0.5 * step))
+        finer = _on_grid(runs, rules, kept, forced, _grid(start, end, 0.5 * step))
         if finer is not None and (
             found is None or sum(map(len, finer.values())) < sum(map(len, found.values()))
         ):
@@ -140,7 +137,7 @@ def _least_count(run: FaceRun, rules: JointRules) -> int:
 def _on_grid(
     runs: Sequence[FaceRun],
     rules: JointRules,
-    folds: Sequence[float],
+    kept: Mapping[str, Sequence[float]],
     forced: Sequence[float],
     s: np.ndarray,
 ) -> dict[str, tuple[float, ...]] | None:
@@ -155,7 +152,9 @@ def _on_grid(
             placed = {**fixed, **result}
             near = {p for run in group for n in run.neighbours for p in placed.get(n, ())}
             near |= set(forced)
-            clear = _clear(s, folds, rules.fold_clearance) & _clear(s, near, rules.stagger)
+            clear = _clear(s, near, rules.stagger)
+            for kind, places in kept.items():
+                clear = clear & _clear(s, places, getattr(rules, f"{kind}_clearance"))
             allowed.append(clear)
         counts = (max(1, len(first)), max(1, len(second)))
         joints = _search(s, pieces, allowed, rules.stagger, counts)
@@ -181,7 +180,7 @@ def _sets(runs: Sequence[FaceRun]) -> list[list[FaceRun]]:
     return sets
 
 
-def _clear(s: np.ndarray, of: Sequence[float] | set[float], distance: float) -> np.ndarray:
+def _clear(s: np.ndarray, of: Collection[float], distance: float) -> np.ndarray:
     places = np.array(sorted(of))
     if not len(places):
         return np.ones(len(s), bool)
@@ -191,7 +190,7 @@ def _clear(s: np.ndarray, of: Sequence[float] | set[float], distance: float) -> 
 def _pieces(faces: Sequence[FaceRun], rules: JointRules, count: int) -> np.ndarray:
     """Which pairs of places (n, n) bound a piece that all faces of a set may have."""
     good = np.triu(np.ones((count, count), bool), 1)
-    for run in faces:
+    for run in (part for face in faces for part in _parts(face)):
         lengths = run.edges[:, None, :] - run.edges[:, :, None]
         longest, shortest = lengths.max(axis=0), lengths.min(axis=0)
         # A strip bowed in the plane needs width: the sagitta of its centre line.
@@ -205,8 +204,21 @@ def _pieces(faces: Sequence[FaceRun], rules: JointRules, count: int) -> np.ndarr
         slack = tolerances.SAME_STATION
         good &= longest <= rules.longest_piece + slack
         good &= width + bow <= rules.widest_piece + slack
-        good &= shortest >= rules.shortest_piece - slack
+        # A part between thickness joints that the joints do not cut is as long as it is.
+        whole = (run.edges[:, -1] - run.edges[:, 0]).min()
+        uncut = (longest <= slack) | (shortest >= whole - slack if run.forced else False)
+        good &= (shortest >= rules.shortest_piece - slack) | uncut
     return good
+
+
+def _parts(run: FaceRun) -> list[FaceRun]:
+    """A face between its thickness joints, each part at all places, held at its ends."""
+    if not run.forced:
+        return [run]
+    ends = [run.s[0], *run.forced, run.s[-1]]
+    return [
+        replace(run.at(run.s.clip(a, b)), s=run.s) for a, b in zip(ends[:-1], ends[1:], strict=True)
+    ]
 
 
 def _search(
@@ -257,7 +269,7 @@ def _search(
 def _why_not(
     runs: Sequence[FaceRun],
     rules: JointRules,
-    folds: Sequence[float],
+    kept: Mapping[str, Sequence[float]],
     forced: Sequence[float],
     member: str,
 ) -> Finding:
@@ -268,12 +280,12 @@ def _why_not(
     for name in RELAXED_IN_TURN:
         strict = getattr(rules, name)
         loose = float(end - start) * 1.5 if name == "longest_piece" else 0.0
-        proposal = _on_coarse(runs, replace(rules, **{name: loose}), folds, forced)
+        proposal = _on_coarse(runs, replace(rules, **{name: loose}), kept, forced)
         if proposal is None:
             continue
         while abs(strict - loose) > GRID_STEPS[0]:
             middle = 0.5 * (strict + loose)
-            found = _on_coarse(runs, replace(rules, **{name: middle}), folds, forced)
+            found = _on_coarse(runs, replace(rules, **{name: middle}), kept, forced)
             if found is None:
                 strict = middle
             else:
@@ -304,11 +316,11 @@ def _why_not(
 def _on_coarse(
     runs: Sequence[FaceRun],
     rules: JointRules,
-    folds: Sequence[float],
+    kept: Mapping[str, Sequence[float]],
     forced: Sequence[float],
 ) -> dict[str, tuple[float, ...]] | None:
     start, end = runs[0].s[0], runs[0].s[-1]
-    return _on_grid(runs, rules, folds, forced, _grid(start, end, _step(end - start)))
+    return _on_grid(runs, rules, kept, forced, _grid(start, end, _step(end - start)))
 
 
 def _step(length: float) -> float:
@@ -320,10 +332,13 @@ def solve_joints(
     given: Mapping[str, tuple[float, ...] | None],
     neighbours: Mapping[str, tuple[str, ...]],
     rules: JointRules,
+    keep_outs: Mapping[str, Sequence[float]] | None = None,
+    lanes: Mapping[str, Sequence[float]] | None = None,
 ) -> dict[str, tuple[float, ...]]:
     """Joints (arc lengths) of the faces whose given joints are None, between the forced ones.
 
-    Raises BendTorsionError as solve_run does.
+    lanes: bounds of the lanes of faces that have some, 0 … 1 (lanes.bounds_of); the widest must
+    come out of the stock. Raises BendTorsionError as solve_run does.
     """
     law = member.law
     solved: dict[str, list[float]] = {face: [] for face, places in given.items() if places is None}
@@ -336,30 +351,9 @@ def solve_joints(
                 if given[run.face] is None
                 else tuple(p for p in given[run.face] if start < p < end),
             )
-            for run in _face_runs(member, neighbours, start, end)
+            for run in face_runs(member, neighbours, start, end, lanes or {})
         ]
-        joints = solve_run(runs, rules, law.folds, law.joints, member.name)
+        joints = solve_run(runs, rules, law.folds, law.all_joints, member.name, keep_outs)
         for face, places in joints.items():
             solved[face] += places
     return {face: tuple(places) for face, places in solved.items()}
-
-
-def _face_runs(
-    member: Member, neighbours: Mapping[str, tuple[str, ...]], start: float, end: float
-) -> list[FaceRun]:
-    """The faces between two forced cuts, sampled on their mid-surfaces."""
-    strips = member.law.strips
-    rails = rails_between(member, [(k, start, end) for k in range(len(strips))])
-    s = np.linspace(start, end, max(17, int((end - start) / SAMPLE) + 1))
-    runs = []
-    for strip, strip_rails in zip(strips, rails, strict=True):
-        development = develop(strip_rails.mid, f"{member.name} face {strip.face}")
-        rate = strip_rails.mid.derivative
-        speed = np.sqrt((rate.values.reshape(*rate.values.shape[:2], 2, 3) ** 2).sum(axis=3))
-        along = Piecewise(rate.breaks, speed).antiderivative()(s)
-        by_s, _ = development.jacobian(s, np.full(len(s), 0.5))
-        heading = np.unwrap(np.arctan2(by_s[:, 1].copy(), by_s[:, 0].copy()))
-        turn = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(heading)))])
-        width = development.plane(s)[:, 3].copy()
-        runs.append(FaceRun(strip.face, neighbours[strip.face], s, along.T.copy(), width, turn))
-    return runs

@@ -11,7 +11,15 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from .finding import Finding
+from .bed_record import Bed
+from .bevel_record import EdgeBevel
+from .control_record import ControlSection
+from .finding import Finding, error
+from .forming_record import FormingRecord
+from .node_record import NodeRecord
+from .piece_record import PieceFigures
+from .thickness import Chamfer
+from .weld_record import Weld
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,6 +66,28 @@ class LoftingPoint:
     flat: np.ndarray
 
 
+@dataclass(frozen=True, eq=False)
+class FlatHole:
+    """An opening in a pattern: runs (k, 2) head to tail, counter-clockwise; title as written in
+    tables, `d=120`; circle: u, v and diameter when it is one to 0.01 mm; area mm2."""
+
+    label: str
+    title: str
+    runs: tuple[np.ndarray, ...]
+    circle: tuple[float, float, float] | None
+    area: float
+
+
+@dataclass(frozen=True, eq=False)
+class FlatMark:
+    """A mark on a pattern. kind: `line`, flat (k, 2) along it, and text when it has one; `punch`,
+    flat (1, 2); `text`, flat (2, 2): the middle of the text and a point where it reads to."""
+
+    kind: str
+    text: str
+    flat: np.ndarray
+
+
 @dataclass(frozen=True)
 class PanelMeasure:
     """One length of a panel (`panel` = `E-1/L-3`). what: `edge left`, `diagonal 1`, …
@@ -74,6 +104,81 @@ class PanelMeasure:
 
 
 @dataclass(frozen=True, eq=False)
+class PlateEdge:
+    """One long edge of a plate at its measuring lines `lines`: how its outer and its inner face
+    end there.
+
+    neighbour: face of the plate it meets, empty for a free edge. s: arc lengths (n,). bevel (n,):
+    angle of the edge's surface against square, rad, positive where the outer face is the wider;
+    dihedral (n,): angle between the two plates on the inner side, rad (pi in one plane), NaN for a
+    free edge. offset_outer, offset_inner (n,): how far the edges of the two faces lie outside that
+    of the flattened surface when the plate is flat, mm; flat_outer, flat_inner (n, 2): where.
+    """
+
+    edge: str
+    neighbour: str
+    lines: tuple[str, ...]
+    s: np.ndarray
+    bevel: np.ndarray
+    dihedral: np.ndarray
+    offset_outer: np.ndarray
+    offset_inner: np.ndarray
+    flat_outer: np.ndarray
+    flat_inner: np.ndarray
+
+    def widest(self, line: int) -> str:
+        """The face that reaches farthest there: `outer`, `inner`, or `both` of a square edge."""
+        step = self.offset_outer[line] - self.offset_inner[line]
+        if abs(step) < SQUARE_EDGE:
+            return "both"
+        return "outer" if step > 0.0 else "inner"
+
+
+SQUARE_EDGE = 0.01
+"""mm; faces of an edge that end closer together than this are cut square."""
+
+
+@dataclass(frozen=True, eq=False)
+class FlatteningErrors:
+    """What laying a plate flat costs, by kind, flat minus true, mm: largest of the long edges
+    (between lines and whole), of the lines and of the geodesic diagonals; the centre line and the
+    area, mm2, as a whole; seam: the largest by which its stations miss those of a plate beside it
+    along their common edge (0 without one)."""
+
+    edge: float
+    line: float
+    diagonal: float
+    centre_line: float
+    area: float
+    seam: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class GrossPattern:
+    """A flat pattern with all allowances, as it is cut, in a pattern frame of its own.
+
+    outline: runs as DevelopedPlate's. length, width mm; area mm2; mass kg. scale_u, scale_v: gross
+    over net; shift (2,): mm, gross = (scale_u · u, scale_v · v) + shift. green_start, green_end:
+    mm added beyond the end lines.
+    """
+
+    outline: tuple[np.ndarray, ...]
+    length: float
+    width: float
+    area: float
+    mass: float
+    scale_u: float
+    scale_v: float
+    shift: np.ndarray
+    green_start: float
+    green_end: float
+
+    def map(self, flat: np.ndarray) -> np.ndarray:
+        """Net pattern points (..., 2) in the gross pattern."""
+        return flat * np.array([self.scale_u, self.scale_v]) + self.shift
+
+
+@dataclass(frozen=True, eq=False)
 class DevelopedPlate:
     """One plate with its flat pattern and lofting data.
 
@@ -84,7 +189,14 @@ class DevelopedPlate:
     edges, lines and geodesic diagonals on the flattened surface; length_error_bound is the proven
     lower bound of length_error_max for any flat pattern. strain_max is the largest principal
     strain of flattening. locked_in_stress: MPa. bending_radius_min: mm. in_transition: the plate
-    lies, in part or whole, in a transition zone.
+    lies, in part or whole, in a transition zone. forming_data: what the forming shop is told.
+    edges: first and second. gross: as cut; None without allowances, gross is net then. errors: by
+    kind. centre_of_gravity: (3,) model, of the plate as formed; painted_area: of what is seen from
+    outside (`mass.painted_areas`); None where they do not exist. area, mass and volume are without
+    the holes. quantity: plates of the same part; opposite_hand: the part that is its mirror image.
+    chamfers: at the start and the end, machined after cutting; the pattern knows nothing of them. Flat parts
+    have no lines, panels and errors. bevels: of its sides; contour: the face that cut files draw
+    (`bevels.CONTOURS`).
     """
 
     member: str
@@ -118,6 +230,41 @@ class DevelopedPlate:
     placing: np.ndarray
     flat_to_placing: np.ndarray
     in_transition: bool = False
+    forming_data: FormingRecord | None = None
+    edges: tuple[PlateEdge, ...] = ()
+    gross: GrossPattern | None = None
+    errors: FlatteningErrors | None = None
+    centre_of_gravity: np.ndarray | None = None
+    painted_area: float | None = None
+    holes: tuple[FlatHole, ...] = ()
+    marks: tuple[FlatMark, ...] = ()
+    quantity: int = 1
+    opposite_hand: str = ""
+    chamfers: tuple[Chamfer | None, Chamfer | None] = (None, None)
+    bevels: tuple[EdgeBevel, ...] = ()
+    contour: str = "mid"
+
+
+@dataclass(frozen=True)
+class ZoneRecord:
+    """A zone of a member: `d-k`, where segment k is constant, or `b-k`, the transition behind it.
+
+    group: the paper's, B1 = {d-1} or A_k = {b-k, d-(k+1)}. start, end: mm on the axis. slope: a
+    transition's length over the largest step of a face, None elsewhere. steps: (top, bottom, left,
+    right) mm, how far the later segment's faces lie from the earlier's, at the start of the
+    transition, or of the zone when it begins with a step; None where nothing changes.
+    """
+
+    label: str
+    group: str
+    start: float
+    end: float
+    slope: float | None = None
+    steps: tuple[float, float, float, float] | None = None
+
+    @property
+    def length(self) -> float:
+        return self.end - self.start
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,7 +274,10 @@ class MemberRecord:
     wireframe: named (n, 3) model polylines for overview drawings: `axis`, the corner lines
     `TL` `TR` `BR` `BL`, end outlines and joints. sections: text of the sections in order, such
     as `800x800x20 / 600x600x16`. Angles in radians, lengths mm, mass kg. An object in error has
-    no plates and at least one error finding.
+    no plates and at least one error finding. zones: along the axis, in order.
+    centre_of_gravity: (3,) model, of all plates; painted_area: mm2, the outer skin of a closed
+    section, all plates' painted areas of an open one. beds: of its delivery pieces. pieces: it is
+    delivered in. nodes: it ends on others at, along +s. controls: control sections of its pieces.
     """
 
     member: str
@@ -142,3 +292,18 @@ class MemberRecord:
     plates: tuple[DevelopedPlate, ...] = ()
     wireframe: dict[str, np.ndarray] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()
+    zones: tuple[ZoneRecord, ...] = ()
+    centre_of_gravity: np.ndarray | None = None
+    painted_area: float | None = None
+    beds: tuple[Bed, ...] = ()
+    pieces: tuple[PieceFigures, ...] = ()
+    welds: tuple[Weld, ...] = ()
+    nodes: tuple[NodeRecord, ...] = ()
+    controls: tuple[ControlSection, ...] = ()
+
+
+def failed_record(name: str, findings: tuple[Finding, ...]) -> MemberRecord:
+    """The record of a member in error: no plates, no figures."""
+    if not any(f.severity == "error" for f in findings):
+        findings = (*findings, error("member-failed", name, "the member could not be built"))
+    return MemberRecord(member=name, sections="", section_type="", findings=findings)

@@ -147,6 +147,89 @@ class PanelSamples:
         return np.bincount(self.panels, lengths, minlength=self.count)
 
 
+@dataclass(frozen=True, eq=False)
+class CornerPanels:
+    """Panels by the places of their corners (k + 1, 2) on the first and second edge, so that a
+    line need be no ruling: a cut end. Diagonals are traced by the inverse of the flat map."""
+
+    development: Development
+    corners: np.ndarray
+    folds: tuple[float, ...]
+
+    @property
+    def count(self) -> int:
+        """Number of panels."""
+        return len(self.corners) - 1
+
+    def edge(self, w: float) -> tuple[np.ndarray, np.ndarray]:
+        """Flat and curved length (k,) between consecutive corners on the edge w (0 or 1)."""
+        places = np.ascontiguousarray(self.corners[:, int(w)])
+        intervals, panels = smooth_intervals(places, self.folds)
+        return tuple(
+            curve_lengths(
+                lambda s, _, points=points: points(s, np.full(len(s), float(w))),
+                intervals,
+                panels,
+                self.count,
+            )
+            for points in (self.development.flat, self.development.point)
+        )
+
+    def geodesics(
+        self, starts: tuple[float, ...] = (0.0, 1.0)
+    ) -> tuple[tuple[np.ndarray, np.ndarray], ...]:
+        """Per start, as PanelSamples.geodesics: flat and geodesic length (k,) of the diagonals."""
+        return tuple(self._diagonal(start) for start in starts)
+
+    def _diagonal(self, start: float) -> tuple[np.ndarray, np.ndarray]:
+        one, other = int(start), 1 - int(start)
+        s = np.stack([self.corners[:-1, one], self.corners[1:, other]], axis=1)
+        w = np.full(self.count, start), np.full(self.count, 1.0 - start)
+        a, b = (self.development.flat(s[:, k].copy(), w[k]) for k in (0, 1))
+        along = b - a
+        length = np.sqrt((along * along).sum(axis=1))
+        part = np.linspace(0.0, 1.0, FINEST + 1)
+        target = (a[:, None] + part[:, None] * along[:, None]).reshape(-1, 2)
+        place = (s[:, :1] + part * (s[:, 1:] - s[:, :1])).ravel()
+        across = (w[0][:, None] + part * (w[1] - w[0])[:, None]).ravel()
+        for _ in range(20):
+            miss = target - self.development.flat(place, across)
+            by_s, by_w = self.development.jacobian(place, across)
+            determinant = by_s[:, 0] * by_w[:, 1] - by_s[:, 1] * by_w[:, 0]
+            ds = (miss[:, 0] * by_w[:, 1] - miss[:, 1] * by_w[:, 0]) / determinant
+            dw = (by_s[:, 0] * miss[:, 1] - by_s[:, 1] * miss[:, 0]) / determinant
+            place, across = place + ds, across + dw
+            if np.abs(miss).max() < 1e-8:
+                break
+        # Sine waves square to the diagonal in the plane, carried to the surface.
+        unit = np.repeat(along / length[:, None], FINEST + 1, axis=0)
+        square = np.column_stack([-unit[:, 1], unit[:, 0]])
+        by_s, by_w = self.development.jacobian(place, across)
+        determinant = by_s[:, 0] * by_w[:, 1] - by_s[:, 1] * by_w[:, 0]
+        ds = (square[:, 0] * by_w[:, 1] - square[:, 1] * by_w[:, 0]) / determinant
+        dw = (by_s[:, 0] * square[:, 1] - by_s[:, 1] * square[:, 0]) / determinant
+        surface = self.development.surface
+        rails, rate = surface(place), surface.derivative(place)
+        ruling = rails[:, 3:] - rails[:, :3]
+        tangent = rate[:, :3] + across[:, None] * (rate[:, 3:] - rate[:, :3])
+        shape = (self.count, FINEST + 1, 3)
+        points = self.development.point(place, across).reshape(shape)
+        sideways = (ds[:, None] * tangent + dw[:, None] * ruling).reshape(shape)
+        waves = np.sin(np.pi * np.arange(1, MODES + 1)[:, None] * part)[:, None, :, None] * sideways
+        lengths, slopes, bends = [], [], []
+        for n in (FINEST // 4, FINEST // 2, FINEST):
+            chord = np.diff(points[:, :: FINEST // n], axis=1)
+            change = np.diff(waves[:, :, :: FINEST // n], axis=2)
+            size = np.sqrt((chord * chord).sum(axis=2))
+            pulled = (chord * change).sum(axis=3) / size
+            lengths.append(size.sum(axis=1))
+            slopes.append(pulled.sum(axis=2))
+            bends.append((((change * change).sum(axis=3) - pulled**2) / size).sum(axis=2))
+        slope, bend = _extrapolated(slopes), _extrapolated(bends)
+        gain = (slope**2 / (2.0 * np.where(bend > 0, bend, np.inf))).sum(axis=0)
+        return length, _extrapolated(lengths) - gain
+
+
 def panel_samples(
     development: Development, places: np.ndarray, folds: tuple[float, ...]
 ) -> PanelSamples:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
@@ -13,30 +14,123 @@ from . import tolerances
 from .cells import Cell, SectionLaw
 from .finding import BendTorsionError, error
 from .frames import Frames, FrameStations
+from .piece_record import Piece
 from .piecewise import Piecewise, span_nodes
+
+if TYPE_CHECKING:
+    from .flat_plate import FlatPlate
+    from .node_record import NodeRecord
 
 SHARPEST_BEND = 0.05
 """Least 1 − κ·r of any corner: below it the section all but turns about that corner."""
+BEYOND_CUT = 30.0
+"""mm a strip reaches beyond an end that is cut, to be cut there."""
+
+
+class EndSurface(Protocol):
+    """What a member or a plate ends at."""
+
+    def value_and_gradient(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """At points (n, 3): the signed distance or another function with the same zeros (n,),
+        positive where the member stays, and its gradient (n, 3)."""
+
+
+@dataclass(frozen=True, eq=False)
+class MemberEnd:
+    """What a member ends at, and the least and the greatest arc length its section is cut at."""
+
+    surface: EndSurface
+    least: float
+    greatest: float
+
+    @property
+    def reach(self) -> tuple[float, float]:
+        """Arc lengths well before and behind the cut, for what it is cut from."""
+        pad = 0.25 * (self.greatest - self.least) + BEYOND_CUT
+        return self.least - pad, self.greatest + pad
+
+
+@dataclass(frozen=True, eq=False)
+class MemberGap:
+    """A stretch of a member, from start to end on its axis, that a member it meets takes: what the
+    plates before it end at and those behind it start at (None where nothing of it is left)."""
+
+    start: float
+    end: float
+    before: MemberEnd | None
+    behind: MemberEnd | None
+
+    def takes(self, s: float) -> bool:
+        """True for a place within the stretch or on its cuts."""
+        low = self.start if self.before is None else self.before.least
+        high = self.end if self.behind is None else self.behind.greatest
+        return low <= s <= high
 
 
 @dataclass(frozen=True, eq=False)
 class Member:
-    """A member's geometry: its name, frames by arc length and section law."""
+    """A member's geometry: its name, frames by arc length, section law and what its start and its
+    end are cut by; None where they are square. gaps: what nodes take of it, rising; inserts:
+    diaphragms nodes put inside it, not numbered; node_records: of the nodes it ends on others at;
+    rolled: s -> (1,), rad, what blends at nodes turned it by; stub_ends: field joints behind stubs,
+    mm. pieces: it is delivered in, along +s."""
 
     name: str
     frames: Frames
     law: SectionLaw
+    ends: tuple[MemberEnd | None, MemberEnd | None] = (None, None)
+    gaps: tuple[MemberGap, ...] = ()
+    inserts: tuple[FlatPlate, ...] = ()
+    node_records: tuple[NodeRecord, ...] = ()
+    rolled: Piecewise | None = None
+    stub_ends: tuple[float, ...] = ()
+    pieces: tuple[Piece, ...] = ()
+
+    def ends_of(self, start: float, end: float) -> tuple[MemberEnd | None, MemberEnd | None]:
+        """What a plate from start to end is cut by; None where it is square."""
+        first = self.ends[0] if start == 0.0 else None
+        last = self.ends[1] if end == self.length else None
+        for gap in self.gaps:
+            first = gap.behind if gap.end == start else first
+            last = gap.before if gap.start == end else last
+        return first, last
+
+    def opened(self, face: str, start: float, end: float) -> tuple[float, float]:
+        """Start and end of a plate of a face between joints, half a field gap short of the end
+        of its piece."""
+        for piece in self.pieces:
+            if piece.gap:
+                half, at = 0.5 * piece.gap, piece.end_of(face)
+                start = at + half if start == at else start
+                end = at - half if end == at else end
+        return start, end
+
+    def piece_at(self, face: str, s: float) -> int:
+        """Number of the piece a face belongs to at s; 1 without pieces."""
+        for piece in self.pieces:
+            if s < piece.end_of(face):
+                return piece.number
+        return self.pieces[-1].number if self.pieces else 1
 
     @property
     def length(self) -> float:
         """Length of the axis, mm."""
         return self.frames.axis.length
 
+    @property
+    def reach(self) -> tuple[float, float]:
+        """Arc lengths the skin runs between: the ends, or well beyond one that is cut."""
+        start, end = self.ends
+        return (
+            0.0 if start is None else min(0.0, start.reach[0]),
+            self.length if end is None else max(self.length, end.reach[1]),
+        )
+
     def smooth_breaks(self, firm: np.ndarray, more: Sequence[float] = ()) -> np.ndarray:
         """Breaks between firm[0] and firm[-1]: the firm ones exactly, then `more` and those of
-        the frames where they are clear of the others."""
+        the frames and of alignment to a surface where they are clear of the others."""
         breaks = np.asarray(firm, float)
-        for group in (more, self.frames.breaks):
+        for group in (more, self.frames.breaks, self.law.lift_breaks):
             soft = np.asarray(group, float)
             soft = soft[(soft > breaks[0]) & (soft < breaks[-1])]
             if len(soft):
@@ -48,7 +142,9 @@ class Member:
     def corners(self, start: float, end: float) -> Piecewise:
         """All corner lines between two places: s -> (m * 3,), in the order of the section."""
 
+        # Beyond its ends a member runs on as its first or last cell.
         cells = [c for c in self.law.cells if c.start < end and c.end > start]
+        cells = cells or [self.law.cells[0 if end <= 0.0 else -1]]
         edges = np.array([start, *(cell.start for cell in cells[1:]), end])
         breaks = self.smooth_breaks(edges)
         nodes = span_nodes(breaks)

@@ -8,10 +8,11 @@ import hashlib
 from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import fields, is_dataclass
+from weakref import WeakSet
 
 import numpy as np
 
-KEPT = 4000
+KEPT = 12000
 """Results kept in memory; the least recently used go first."""
 
 _results: OrderedDict[str, object] = OrderedDict()
@@ -81,5 +82,37 @@ def remember(result) -> None:
 
 
 def forget_all() -> None:
-    """Empty the memo."""
+    """Empty the memo, and all that is kept besides."""
     _results.clear()
+    for one in Kept.all:
+        one.clear()
+
+
+def made_from(value) -> str:
+    """The content hash a memoised result carries; empty for what was made otherwise."""
+    return getattr(value, "_made_from", "")
+
+
+class Kept(OrderedDict):
+    """Parts of results by the content they are made from, so that an edit makes only those it
+    changes; the least recently used go first."""
+
+    all: WeakSet[Kept] = WeakSet()
+    __hash__ = object.__hash__
+
+    def __init__(self, most: int = KEPT):
+        super().__init__()
+        self.most = most
+        self.all.add(self)
+
+    def recall(self, key):
+        """The value of a key, or None."""
+        if key in self:
+            self.move_to_end(key)
+        return self.get(key)
+
+    def keep(self, key, value) -> None:
+        """Keep a value under a key."""
+        self[key] = value
+        if len(self) > self.most:
+            self.popitem(last=False)

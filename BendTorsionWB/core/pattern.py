@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from . import measure, tolerances
+from .contour_measure import trimmed_area
 from .development import (
     ACROSS,
     RULING_MODES,
@@ -22,34 +22,19 @@ from .development import (
     strain_at_nodes,
 )
 from .elastic import relaxed
-from .forming import FormingRules, classify
+from .face_marks import flat_marks
+from .flattened_surface import on_surface
+from .flattening_errors import flattening_errors
+from .forming import FormingRules, fold_bends, forming_of, roll_lines_of
+from .forming_record import RollLine
+from .lines_across import LinesAcross, Pattern, across_of, turned
 from .lofting import DevelopedPlate, FoldLine, LoftingPoint, PanelMeasure, StationLine
+from .openings import flat_holes
+from .outline import outline_in_plane
 from .plates import Plate
 
 MODES = (*RULING_MODES, "elastic")
 """Ways of laying a plate flat."""
-
-OUTLINE_SAGITTA = 0.0005
-LONGEST_OUTLINE_CHORD = 40.0
-
-
-@dataclass(frozen=True, eq=False)
-class Pattern:
-    """A development in the pattern frame: (u, v) = turn @ plane point + shift."""
-
-    development: Development
-    turn: np.ndarray
-    shift: np.ndarray
-
-    def flat(self, s: np.ndarray, w: np.ndarray) -> np.ndarray:
-        """Pattern points (n, 2) at (s, w)."""
-        return turned(self.development.flat(s, w), self.turn) + self.shift
-
-
-def turned(points: np.ndarray, turn: np.ndarray) -> np.ndarray:
-    """turn @ point for points (n, d). Not by BLAS, whose last bits vary with the alignment of
-    memory from run to run: the same input must give the same bytes."""
-    return sum(points[:, k, None] * turn[:, k] for k in range(points.shape[1]))
 
 
 def develop_plate(
@@ -57,18 +42,18 @@ def develop_plate(
     marking_face: str = "inside",
     mode: str = "edges",
     rules: FormingRules | None = None,
+    surface: str = "mid",
 ) -> DevelopedPlate:
     """The mid-surface of a plate laid flat, with everything a fitter measures.
 
     marking_face: `inside` or `outside`, the side the pattern is seen from. mode: one of MODES.
+    surface: laid flat and measured in place of the middle, one of flattened_surface.SURFACES.
     Raises BendTorsionError when the plate folds over itself.
     """
-    development = development_of(plate, mode)
-    runs = _outline_in_plane(development, plate)
-    pattern, outline = _pattern_frame(development, plate, runs, marking_face)
-    if np.linalg.det(pattern.turn) < 0:
-        outline = tuple(run[::-1] for run in reversed(outline))
-    across = _LinesAcross(plate, pattern)
+    plate = on_surface(plate, surface)
+    pattern, outline = pattern_and_outline(plate, mode, marking_face)
+    development = pattern.development
+    across = across_of(plate, pattern)
     folds = _folds(plate, pattern)
     lines = _lines(across)
     placing, flat_to_placing = _placing_frames(across)
@@ -78,14 +63,21 @@ def develop_plate(
     stretch_inside = stretch.reshape(*development.plane.nodes.shape, -1)[:, 1:-1]
     shape = shape_inside(development.surface, ACROSS)
     worst_strain = float(np.abs(stretch).max())
-    forming = classify(
+    mass = plate.net_volume * plate.material.density
+    holes, area_of_holes = flat_holes(plate, pattern)
+    forming = forming_of(
         development,
-        shape,
-        stretch_inside.reshape(-1, len(ACROSS)),
         plate.thickness,
         plate.material,
+        mass,
+        float(np.hypot(*(across.flat[-1] - across.flat[0]).mean(axis=0))),
         [fold.angle for fold in folds],
-        rules or FormingRules(),
+        rules,
+        shape=shape,
+        stretch=stretch_inside.reshape(-1, len(ACROSS)),
+        placed=lambda points: turned(points, pattern.turn) + pattern.shift,
+        roll_lines=_roll_lines(across, outline, folds),
+        fold_lines=fold_bends(folds, marking_face),
     )
     return DevelopedPlate(
         member=plate.member,
@@ -93,7 +85,7 @@ def develop_plate(
         part=plate.mark,
         face=plate.face,
         letter=plate.letter,
-        piece=1,
+        piece=plate.piece,
         thickness=plate.thickness,
         material=plate.material.name,
         outline=outline,
@@ -103,23 +95,42 @@ def develop_plate(
         panels=panels,
         length=float(corners[:, 0].max()),
         width=float(corners[:, 1].max()),
-        area=flat_area(development),
-        mass=plate.volume * plate.material.density,
-        volume=plate.volume,
+        area=(trimmed_area(development, plate.cuts) if plate.is_cut else flat_area(development))
+        - area_of_holes,
+        mass=mass,
+        volume=plate.net_volume,
         s_start=plate.start,
         s_end=plate.end,
         length_error_max=float(np.abs(errors).max()),
         length_error_rms=float(np.sqrt(np.mean(errors**2))),
-        length_error_bound=_bound(development, across.places, lines, panels),
+        length_error_bound=_bound(development, across, lines, panels),
         strain_max=worst_strain,
         locked_in_stress=worst_strain * plate.material.e,
         bending_radius_min=_radius(float(shape.sharpest.max())),
-        forming=forming.name,
+        forming=forming.forming_class.name,
         marking_face=marking_face,
         placing=placing,
         flat_to_placing=flat_to_placing,
         in_transition=plate.in_transition,
+        forming_data=forming,
+        errors=flattening_errors(development, across.measured, lines, panels),
+        holes=holes,
+        marks=flat_marks(plate, pattern),
+        chamfers=plate.chamfers,
     )
+
+
+def pattern_and_outline(
+    plate: Plate, mode: str = "edges", marking_face: str = "inside"
+) -> tuple[Pattern, tuple[np.ndarray, ...]]:
+    """The mid-surface of a plate laid flat in its pattern frame, and its outline there as smooth
+    runs, counter-clockwise."""
+    development = development_of(plate, mode)
+    runs = outline_in_plane(development, plate)
+    pattern, outline = _pattern_frame(development, plate, runs, marking_face)
+    if np.linalg.det(pattern.turn) < 0:
+        outline = tuple(run[::-1] for run in reversed(outline))
+    return pattern, outline
 
 
 def development_of(plate: Plate, mode: str) -> Development:
@@ -133,89 +144,17 @@ def development_of(plate: Plate, mode: str) -> Development:
 
 def outline_of(plate: Plate, mode: str = "edges") -> list[np.ndarray]:
     """The outline alone, as smooth runs in the development's plane."""
-    return _outline_in_plane(development_of(plate, mode), plate)
+    return outline_in_plane(development_of(plate, mode), plate)
 
 
-class _LinesAcross:
-    """What all lofting data reads at the lines across a plate, evaluated once: rulings of the
-    mid-surface, corners of the outer face (n, 2, 3), ends in the pattern (n, 2, 2)."""
-
-    def __init__(self, plate: Plate, pattern: Pattern):
-        self.plate, self.pattern = plate, pattern
-        self.places = np.array([line.s_mid for line in plate.lines])
-        self.measured = measure.panel_samples(
-            pattern.development, self.places, plate.rails.mid_folds
-        )
-        self.rulings: Rulings = self.measured.ends
-        self.outer = plate.rails.outer(np.array([line.s for line in plate.lines]))
-        self.outer = self.outer.reshape(-1, 2, 3)
-        self.inner = plate.rails.inner(self.places).reshape(-1, 2, 3)
-        zero = np.zeros(len(self.places))
-        self.flat = np.stack([self.at(zero), self.at(zero + 1.0)], axis=1)
-
-    def at(self, w: np.ndarray) -> np.ndarray:
-        """Pattern points (n, 2) at w (n,) of the lines."""
-        return turned(self.rulings.flat(w), self.pattern.turn) + self.pattern.shift
-
-    def flat_lengths(self) -> np.ndarray:
-        """Lengths (n,) of the lines in the pattern, along their curve when a correction bends
-        them."""
-        if self.rulings.correction is None:
-            return np.linalg.norm(self.flat[:, 1] - self.flat[:, 0], axis=1)
-        count = len(self.places)
-        points = np.stack(
-            [self.at(np.full(count, w)) for w in np.linspace(0.0, 1.0, measure.FINEST + 1)], axis=1
-        )
-        return measure.sampled_lengths(points)
-
-
-def _outline_in_plane(development: Development, plate: Plate) -> list[np.ndarray]:
-    """Smooth runs, head to tail, counter-clockwise in the plane: first edge along +s, end line,
-    second edge back, start line."""
-    edges = [plate.start, *plate.rails.mid_folds, plate.end]
-    spans = [(a, b, w) for w in (0.0, 1.0) for a, b in zip(edges[:-1], edges[1:], strict=True)]
-    probes = _along(development, [(a, b, w, 33) for a, b, w in spans])
-    runs = _along(
-        development,
-        [(*span, _chord_count(points) + 1) for span, points in zip(spans, probes, strict=True)],
-    )
-    forth, back = runs[: len(edges) - 1], [run[::-1] for run in reversed(runs[len(edges) - 1 :])]
-    ends = (plate.end, plate.start)
-    end, start = (
-        _end_line(development, s, a, b)
-        for s, a, b in zip(ends, (forth[-1][-1], back[-1][-1]), (back[0][0], forth[0][0]))
-    )
-    return [*forth, end, *back, start]
-
-
-def _along(
-    development: Development, spans: Sequence[tuple[float, float, float, int]]
-) -> list[np.ndarray]:
-    """Points (n, 2) at n even places from a to b along the lines of constant w (a, b, w, n)."""
-    s = np.concatenate([np.linspace(a, b, n) for a, b, _, n in spans])
-    counts = [n for *_, n in spans]
-    w = np.repeat([w for _, _, w, _ in spans], counts)
-    return np.split(development.flat(s, w), np.cumsum(counts)[:-1])
-
-
-def _chord_count(points: np.ndarray) -> int:
-    """Chords that keep the sagitta of a run through evenly spaced points (33, 2)."""
-    step = np.diff(points, axis=0)
-    chords = np.sqrt((step * step).sum(axis=1))
-    turn = np.diff(np.unwrap(np.arctan2(step[:, 1].copy(), step[:, 0].copy())))
-    curvature = (np.abs(turn) / (0.5 * (chords[1:] + chords[:-1]))).max() + 1e-12
-    longest = min(LONGEST_OUTLINE_CHORD, np.sqrt(8 * OUTLINE_SAGITTA / curvature))
-    return max(2, int(np.ceil(chords.sum() / longest)))
-
-
-def _end_line(development: Development, s: float, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """The end line from a to b: straight, unless a correction bends the rulings."""
-    if development.correction is None:
-        return np.array([a, b])
-    w = np.linspace(0.0, 1.0, 33)
-    points = development.flat(np.full(33, s), w)
-    points = points if np.allclose(points[0], a) else points[::-1]
-    return np.concatenate([[a], points[1:-1], [b]])
+def pattern_of(
+    plate: Plate, marking_face: str = "inside", mode: str = "edges", surface: str = "mid"
+) -> Pattern:
+    """The pattern frame of a plate, in which points are mapped both ways."""
+    plate = on_surface(plate, surface)
+    development = development_of(plate, mode)
+    runs = outline_in_plane(development, plate)
+    return _pattern_frame(development, plate, runs, marking_face)[0]
 
 
 def _pattern_frame(
@@ -238,10 +177,8 @@ def _pattern_frame(
     return Pattern(development, turn, shift), tuple(np.split(points + shift, ends))
 
 
-def _lines(across: _LinesAcross) -> tuple[StationLine, ...]:
-    ruling = across.rulings.ruling
-    true = np.sqrt((ruling * ruling).sum(axis=1))
-    flat = across.flat_lengths()
+def _lines(across: LinesAcross) -> tuple[StationLine, ...]:
+    true, flat = across.true_lengths(), across.flat_lengths()
     return tuple(
         StationLine(line.label, line.s, across.flat[i], float(true[i]), float(flat[i]))
         for i, line in enumerate(across.plate.lines)
@@ -271,20 +208,47 @@ def _folds(plate: Plate, pattern: Pattern) -> tuple[FoldLine, ...]:
     )
 
 
+def _roll_lines(
+    across: LinesAcross, outline: Sequence[np.ndarray], folds: Sequence[FoldLine]
+) -> tuple[RollLine, ...]:
+    """Roll lines through the middles of the smooth panels, which are sampled already."""
+    measured = across.measured
+    wave = measured.wave.reshape(-1, measure.FINEST + 1)
+    # One for each panel, in the longest of its smooth intervals.
+    order = np.lexsort((wave[:, 0] - wave[:, -1], measured.panels))
+    panels, first = np.unique(measured.panels[order], return_index=True)
+    middle = order[first] * wave.shape[1] + measure.FINEST // 2
+    places = measured.places
+    s = places[panels] + measured.wave[middle] * (places[panels + 1] - places[panels])
+    rulings = Rulings(
+        *(None if part is None else part[middle] for part in vars(measured.rulings).values())
+    )
+    zero, turn = np.zeros(len(s)), across.pattern.turn
+    flat = np.stack([turned(rulings.flat(w), turn) for w in (zero, zero + 1.0)], axis=1)
+    return roll_lines_of(
+        across.pattern.development,
+        s,
+        flat + across.pattern.shift,
+        [*outline, *(fold.flat for fold in folds)],
+        float(np.sign(turn[0, 0] * turn[1, 1] - turn[0, 1] * turn[1, 0])),
+        np.concatenate([rulings.first, rulings.first + rulings.ruling], axis=1),
+    )
+
+
 def _points(
-    across: _LinesAcross, placing: np.ndarray, marking_face: str
+    across: LinesAcross, placing: np.ndarray, marking_face: str
 ) -> tuple[LoftingPoint, ...]:
     plate, outer = across.plate, across.outer
-    face = outer if marking_face == "outside" else across.inner
-    between = face[:, 1] - face[:, 0]
-    width = np.linalg.norm(between, axis=1)
+    level = "outer" if marking_face == "outside" else "inner"
+    face = getattr(across, level)
+    width = np.linalg.norm(face[:, 1] - face[:, 0], axis=1)
     inset = np.minimum(tolerances.WITNESS_INSET, width / 4) / width
-    step = inset[:, None] * between
+    inside, places = across.on_face(level, inset), across.edge_places()
     groups = {
         "P": ("arris", (outer[:, 0], outer[:, 1]), (across.flat[:, 0], across.flat[:, 1])),
         "W": (
             "witness",
-            (face[:, 0] + step, face[:, 1] - step),
+            (inside[:, 0], inside[:, 1]),
             (across.at(inset), across.at(1.0 - inset)),
         ),
     }
@@ -299,7 +263,7 @@ def _points(
                         line.label,
                         plate.edges[side],
                         kind,
-                        line.s,
+                        float(places[i, side]),
                         xyz[i],
                         local[side][i],
                         flat[side][i],
@@ -309,10 +273,10 @@ def _points(
 
 
 def _panels(
-    across: _LinesAcross, lines: Sequence[StationLine]
+    across: LinesAcross, lines: Sequence[StationLine]
 ) -> tuple[tuple[PanelMeasure, ...], np.ndarray]:
     """Panel measures, and all flat-minus-true lengths: edges, whole edges, diagonals, lines."""
-    plate, measured = across.plate, across.measured
+    plate, measured = across.plate, across.lengths
     first, second = across.outer[:, 0], across.outer[:, 1]
     diagonals = measured.geodesics()
     measures = {
@@ -344,23 +308,24 @@ def _radius(curvature: float) -> float:
 
 def _bound(
     development: Development,
-    places: np.ndarray,
+    lines_across: LinesAcross,
     lines: Sequence[StationLine],
     panels: Sequence[PanelMeasure],
 ) -> float:
     """The lower bound max |K|A²/(12(D + b + ℓ)) over the panels of a plate, mm: no flat pattern
     has smaller length errors on all sides and diagonals of that panel (self-stress of the plane
     quadrilateral; exact for rectangles, a few per cent high for panels that taper askew)."""
+    places = lines_across.places
     gauss = gauss_of(development.surface, 0.5 * (places[1:] + places[:-1]), 0.5)
     lengths = np.array([panel.arc for panel in panels]).reshape(-1, 4)
     along, diagonal = lengths[:, :2].mean(axis=1), lengths[:, 2:].mean(axis=1)
     across = np.array([line.length_3d for line in lines])
     across = 0.5 * (across[1:] + across[:-1])
-    area = along * across
+    area = lines_across.panel_areas(along, across)
     return float((np.abs(gauss) * area**2 / (12 * (diagonal + across + along))).max())
 
 
-def _placing_frames(across: _LinesAcross) -> tuple[np.ndarray, np.ndarray]:
+def _placing_frames(across: LinesAcross) -> tuple[np.ndarray, np.ndarray]:
     """Model -> placing and flat -> placing, (4, 4) each (paper's Orient on the outer face)."""
     outer, inner, flat = (values[[0, -1]] for values in (across.outer, across.inner, across.flat))
     lengths = np.linalg.norm(outer[:, 1] - outer[:, 0], axis=1)

@@ -9,19 +9,26 @@ from dataclasses import dataclass
 import numpy as np
 
 from . import tolerances
+from .bodies import bodies
+from .contour import EndCurves
+from .contour_measure import TrimmedFigures
 from .finding import BendTorsionError, Finding, error, warning
+from .joint_checks import rule_findings
 from .joint_solver import JointRules, solve_joints
+from .lanes import Lane, Lanes, bounds_of, lane_findings, lanes_between
 from .member import Member
-from .section import Material, Strip
-from .strips import StripRails, rails_between, section_integrand
-from .volume import strip_volumes
+from .plate_places import PlateMark, PlateOpening
+from .section import Material, strips_meet
+from .strips import StripRails
+from .thickness import Chamfer
 
 
 @dataclass(frozen=True, eq=False)
 class PlateLine:
     """A line across a plate at arc length s: `E-1` and `E-2` its ends, `L-k` the member's
     stations, `F-k` its folds, so that every panel between two lines is smooth. s_mid: where it
-    crosses the mid-surface, which is folded at the mitre and not below the outer fold."""
+    crosses the mid-surface, which is folded at the mitre and not below the outer fold. At a cut
+    end both are those half way across."""
 
     label: str
     s: float
@@ -33,7 +40,11 @@ class Plate:
     """One plate of a strip, from start to end on the axis, with its rails.
 
     inward: +1 when the normal P' × R of its surface (R from the first edge to the second) points
-    into the section, -1 when it points outward.
+    into the section, -1 when it points outward. lane: its share of the face's width. cuts: the
+    curves of ends that are no section planes; start, end and the rails then reach as far as the
+    farthest point of a curve, and `uncut` beyond it, for the solid that is cut, figures being
+    those of what is left. piece: number of its delivery piece. chamfers: at the ends, towards
+    thinner plates; they are in the rails, not in the mid-surface.
     """
 
     member: str
@@ -52,6 +63,34 @@ class Plate:
     folds: tuple[float, ...]
     lines: tuple[PlateLine, ...]
     in_transition: bool
+    lane: Lane = Lane()
+    cuts: tuple[EndCurves | None, EndCurves | None] = (None, None)
+    uncut: StripRails | None = None
+    figures: TrimmedFigures | None = None
+    piece: int = 1
+    openings: tuple[PlateOpening, ...] = ()
+    marks: tuple[PlateMark, ...] = ()
+    chamfers: tuple[Chamfer | None, Chamfer | None] = (None, None)
+
+    @property
+    def net_volume(self) -> float:
+        """Volume without the openings, mm3."""
+        return self.volume - sum(opening.volume for opening in self.openings)
+
+    @property
+    def is_cut(self) -> bool:
+        """True when an end is no section plane."""
+        return self.uncut is not None
+
+    def line_places(self, level: str) -> np.ndarray:
+        """Arc lengths (k, 2) of the lines on the first and second edge of the surface `outer`,
+        `mid` or `inner`."""
+        places = [line.s if level == "outer" else line.s_mid for line in self.lines]
+        both = np.repeat(np.array(places)[:, None], 2, axis=1)
+        for k, cut in zip((0, -1), self.cuts, strict=True):
+            if cut is not None:
+                both[k] = cut.corners(level)
+        return both
 
 
 @dataclass(frozen=True)
@@ -74,92 +113,124 @@ def split_plates(
     joints: Mapping[str, Joints],
     spacing: float = 500.0,
     rules: JointRules | None = None,
+    lanes: Mapping[str, Lanes] | None = None,
+    keep_outs: Mapping[str, Sequence[float]] | None = None,
 ) -> tuple[tuple[Plate, ...], tuple[Finding, ...]]:
     """Plates of all faces in face order then along +s, and findings on their joints.
 
     joints: face -> Joints; a face without an entry is cut only where the section asks for it.
+    lanes: face -> Lanes of faces divided along their length. keep_outs: arc lengths joints keep
+    clear of, by their kind (joint_solver.KEEP_OUTS).
     Raises BendTorsionError for joints out of order or beyond the axis, plates shorter than
     SHORTEST_PLATE, and `auto` joints no rule-keeping places exist for.
     """
     findings: list[Finding] = []
     law = member.law
-    joints = _with_solved(member, joints, rules or JointRules())
+    bounds = bounds_of(member, lanes or {}, rules or JointRules())
+    joints = _with_solved(member, joints, rules or JointRules(), keep_outs, bounds)
     stations = member.stations(spacing)
     cuts: dict[str, np.ndarray] = {}
-    for strip in law.strips:
+    for index, strip in enumerate(law.strips):
         given = joints.get(strip.face, Joints(())).places(member.length)
         _check_joints(member, strip.face, joints.get(strip.face), findings)
-        cuts[strip.face] = _edges(given, law.joints, law.folds, member.length)
+        given = _clear_of_gaps(member, strip.face, given, findings)
+        cuts[strip.face] = _edges(given, law.joints_of(index), law.folds, member.length)
     _check_lengths(member, cuts, findings)
     if any(f.severity == "error" for f in findings):
         raise BendTorsionError(findings)
     if rules is not None:
-        findings += _check_rules(member, cuts, rules)
+        findings += rule_findings(member, cuts, rules, _adjacent(member), keep_outs or {})
+        findings += lane_findings(member.name, bounds, rules)
     spans = [
         (index, float(start), float(end))
         for index, strip in enumerate(law.strips)
-        for start, end in zip(cuts[strip.face][:-1], cuts[strip.face][1:], strict=True)
+        for start, end in _stretches(member, cuts[strip.face])
     ]
-    all_rails = rails_between(member, spans)
-    built = iter(zip(all_rails, _volumes(member, all_rails), strict=True))
+    across = {k: lanes_between(bounds.get(s.face, (0.0, 1.0))) for k, s in enumerate(law.strips)}
+    built = iter(bodies(member, spans, across))
     plates = []
     for index, strip in enumerate(law.strips):
-        edges = cuts[strip.face]
-        for number, (start, end) in enumerate(zip(edges[:-1], edges[1:], strict=True), start=1):
+        stretches = _stretches(member, cuts[strip.face])
+        for number, (start, end) in enumerate(stretches, start=1):
             cells = [c for c in law.cells if c.start < end and c.end > start]
-            rails, volume = next(built)
-            plates.append(
-                Plate(
-                    member=member.name,
-                    mark=f"{member.name}-{strip.letter}{number}",
-                    face=strip.face,
-                    letter=strip.letter,
-                    strip=index,
-                    edges=strip.edges,
-                    inward=strip.inward,
-                    start=float(start),
-                    end=float(end),
-                    thickness=float(cells[0].thickness[index]),
-                    material=cells[0].materials[index],
-                    rails=rails,
-                    volume=volume,
-                    folds=tuple(f for f in rails.boundaries if f in law.folds),
-                    lines=_lines(stations, start, end, rails, law.folds),
-                    in_transition=any(cell.is_transition for cell in cells),
+            first, last = member.opened(strip.face, start, end)
+            for lane in across[index]:
+                body = next(built)
+                rails = body.rails
+                plates.append(
+                    Plate(
+                        member=member.name,
+                        mark=f"{member.name}-{strip.letter}{number}{lane.letter}",
+                        face=strip.face,
+                        letter=strip.letter,
+                        strip=index,
+                        edges=lane.edges(strip.edges),
+                        inward=strip.inward,
+                        start=float(rails.mid.start if body.cuts[0] else first),
+                        end=float(rails.mid.end if body.cuts[1] else last),
+                        thickness=float(cells[0].thickness[index]),
+                        material=cells[0].materials[index],
+                        rails=rails,
+                        volume=body.volume,
+                        folds=tuple(f for f in rails.boundaries if f in law.folds),
+                        lines=_lines(stations, first, last, rails, law.folds, body.cuts),
+                        in_transition=any(cell.is_transition for cell in cells),
+                        lane=lane,
+                        chamfers=law.chamfers_of(index, start, end),
+                        cuts=body.cuts,
+                        uncut=body.uncut,
+                        figures=body.figures,
+                        piece=member.piece_at(strip.face, 0.5 * (start + end)),
+                    )
                 )
-            )
     return tuple(plates), tuple(findings)
 
 
-def _volumes(member: Member, plates: Sequence[StripRails]) -> list[float]:
-    """∫A(1 − κ·e)ds between square ends (Pappus); surface quadrature of plates that are mitred."""
-    mitred = [rails for rails in plates if rails.boundaries]
-    by_surface = iter(strip_volumes(mitred) if mitred else ())
-    return [
-        next(by_surface)
-        if rails.boundaries
-        else float(section_integrand(member, rails).integral()[0])
-        for rails in plates
+def _stretches(member: Member, edges: np.ndarray) -> list[tuple[float, float]]:
+    """Start and end of the plates between edges; what a node takes is none."""
+    taken = {(gap.start, gap.end) for gap in member.gaps}
+    pairs = zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True)
+    return [pair for pair in pairs if pair not in taken]
+
+
+def _clear_of_gaps(
+    member: Member, face: str, given: Sequence[float], findings: list[Finding]
+) -> tuple[float, ...]:
+    """The joints a node does not take, with a warning for each it takes."""
+    taken = [s for s in given if any(gap.takes(s) for gap in member.gaps)]
+    findings += [
+        warning(
+            "joint-in-node",
+            member.name,
+            f"a joint of face {face} lies in a node and falls away",
+            "move the joint clear of the node, or delete it",
+            position=f"s = {s:.0f} mm",
+            value=float(s),
+            unit="mm",
+        )
+        for s in taken
     ]
+    return tuple(s for s in given if s not in taken)
 
 
 def _with_solved(
-    member: Member, joints: Mapping[str, Joints], rules: JointRules
+    member: Member,
+    joints: Mapping[str, Joints],
+    rules: JointRules,
+    keep_outs: Mapping[str, Sequence[float]] | None,
+    lanes: Mapping[str, Sequence[float]],
 ) -> Mapping[str, Joints]:
     """The joints with those of `auto` faces solved for, given ones as they are."""
     if not any(item.kind == "auto" for item in joints.values()):
         return joints
-    strips = member.law.strips
-    given = {strip.face: joints.get(strip.face, Joints(())) for strip in strips}
-    neighbours = {
-        one.face: tuple(o.face for o in strips if o is not one and _neighbours(one, o))
-        for one in strips
-    }
+    given = {strip.face: joints.get(strip.face, Joints(())) for strip in member.law.strips}
     solved = solve_joints(
         member,
         {f: None if g.kind == "auto" else g.places(member.length) for f, g in given.items()},
-        neighbours,
+        _adjacent(member),
         rules,
+        keep_outs,
+        lanes,
     )
     return {**joints, **{face: Joints(places, "mm") for face, places in solved.items()}}
 
@@ -174,21 +245,35 @@ def _edges(
 
 
 def _lines(
-    stations: np.ndarray, start: float, end: float, rails: StripRails, folds: Sequence[float]
+    stations: np.ndarray,
+    start: float,
+    end: float,
+    rails: StripRails,
+    folds: Sequence[float],
+    cuts: tuple[EndCurves | None, EndCurves | None],
 ) -> tuple[PlateLine, ...]:
     own = [(s, m) for s, m in zip(rails.boundaries, rails.mid_folds, strict=True) if s in folds]
     middle = [PlateLine(f"F-{k}", s, m) for k, (s, m) in enumerate(own, start=1)]
     at_folds = np.array([s for s, _ in own])
+    # Whole rulings only: none that runs into a cut end.
+    first = start if cuts[0] is None else cuts[0].range[1]
+    last = end if cuts[1] is None else cuts[1].range[0]
     for k, s in enumerate(stations):
-        clear = min(s - start, end - s) > tolerances.STATION_AT_PLATE_END
+        clear = min(s - first, last - s) > tolerances.STATION_AT_PLATE_END
         if clear and (np.abs(at_folds - s) > tolerances.STATION_AT_FOLD).all():
             middle.append(PlateLine(f"L-{k}", float(s), float(s)))
     middle.sort(key=lambda line: line.s)
-    return (
-        PlateLine("E-1", float(start), float(start)),
-        *middle,
-        PlateLine("E-2", float(end), float(end)),
-    )
+    ends = [
+        PlateLine(f"E-{k + 1}", float(place), float(place))
+        if cut is None
+        else PlateLine(f"E-{k + 1}", *(float(cut.at(at, 0.5 * np.ones(1))[0]) for at in _CUT_AT))
+        for k, (place, cut) in enumerate(zip((start, end), cuts, strict=True))
+    ]
+    return (ends[0], *middle, ends[1])
+
+
+_CUT_AT = ("outer", "mid")
+"""Where s and s_mid of a cut end line are taken, half way across."""
 
 
 def _check_joints(
@@ -242,88 +327,10 @@ def _check_lengths(member: Member, cuts: dict[str, np.ndarray], findings: list[F
         )
 
 
-def _neighbours(one: Strip, other: Strip) -> bool:
-    """True for strips with a corner in common, and where one stops at the other."""
-    stops = [(a.stops_at_first, a.stops_at_second, b.face) for a, b in ((one, other), (other, one))]
-    return bool({one.first, one.second} & {other.first, other.second}) or any(
-        stop is not None and stop.face == face for *both, face in stops for stop in both
-    )
-
-
-def _check_rules(member: Member, cuts: dict[str, np.ndarray], rules: JointRules) -> list[Finding]:
-    """Warnings for given joints that the rules would place elsewhere; joints are never moved."""
-    findings = []
-    for face, edges in cuts.items():
-        lengths = np.diff(edges)
-        at = int(np.argmin(lengths))
-        if lengths[at] < rules.shortest_piece:
-            findings.append(
-                warning(
-                    "piece-too-short",
-                    member.name,
-                    "plate is shorter than the rules allow",
-                    "move a joint",
-                    position=f"face {face}, s = {edges[at]:.0f} mm",
-                    value=float(lengths[at]),
-                    limit=rules.shortest_piece,
-                    unit="mm",
-                )
-            )
-    forced = np.array(member.law.joints)
-    findings += _beside_folds(member, cuts, rules)
+def _adjacent(member: Member) -> dict[str, tuple[str, ...]]:
+    """The faces each face meets."""
     strips = member.law.strips
-    for i, one in enumerate(strips):
-        for other in strips[i + 1 :]:
-            if not _neighbours(one, other):
-                continue
-            a, b = cuts[one.face][1:-1], cuts[other.face][1:-1]
-            if not len(a) or not len(b):
-                continue
-            gap = np.abs(a[:, None] - b[None, :])
-            if len(forced):
-                both = (np.abs(a[:, None] - forced).min(axis=1) < tolerances.SAME_STATION)[
-                    :, None
-                ] & (np.abs(b[:, None] - forced).min(axis=1) < tolerances.SAME_STATION)[None, :]
-                gap = np.where(both, np.inf, gap)
-            at = np.unravel_index(int(np.argmin(gap)), gap.shape)
-            if gap[at] < rules.stagger:
-                findings.append(
-                    warning(
-                        "joints-not-staggered",
-                        member.name,
-                        f"joints of faces {one.face} and {other.face} are too close",
-                        "move one of them",
-                        position=f"s = {a[at[0]]:.0f} mm",
-                        value=float(gap[at]),
-                        limit=rules.stagger,
-                        unit="mm",
-                    )
-                )
-    return findings
-
-
-def _beside_folds(member: Member, cuts: dict[str, np.ndarray], rules: JointRules) -> list[Finding]:
-    """Warnings for joints too close beside a fold; a joint on the fold is none."""
-    findings = []
-    folds = np.array(member.law.folds)
-    for face, edges in cuts.items():
-        own = np.array([e for e in edges[1:-1] if e not in member.law.joints])
-        if not len(own) or not len(folds):
-            continue
-        gap = np.abs(own[:, None] - folds[None, :]).min(axis=1)
-        gap = np.where(gap <= tolerances.SAME_STATION, np.inf, gap)
-        at = int(np.argmin(gap))
-        if gap[at] < rules.fold_clearance - tolerances.SAME_STATION:
-            findings.append(
-                warning(
-                    "joint-beside-fold",
-                    member.name,
-                    f"a joint of face {face} is too close to a fold",
-                    "move the joint onto the fold, or farther from it",
-                    position=f"s = {own[at]:.0f} mm",
-                    value=float(gap[at]),
-                    limit=rules.fold_clearance,
-                    unit="mm",
-                )
-            )
-    return findings
+    return {
+        one.face: tuple(o.face for o in strips if o is not one and strips_meet(one, o))
+        for one in strips
+    }

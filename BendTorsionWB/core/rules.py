@@ -11,7 +11,11 @@ from pathlib import Path
 
 from .finding import BendTorsionError, error
 from .forming import FormingRules
+from .node_input import NodeRules
 from .plates import JointRules
+from .preps import Prep
+from .thickness import ThicknessRules
+from .welds import WeldDefaults
 
 FOLDER = Path(__file__).resolve().parents[2] / "resources" / "rules"
 PACKS = ("CN", "EU", "US")
@@ -81,6 +85,41 @@ def joint_rules(pack: str) -> JointRules:
         longest_piece=rule(pack, "longest_piece").value,
         widest_piece=rule(pack, "widest_piece").value,
         fold_clearance=rule(pack, "fold_clearance").value,
+        diaphragm_clearance=rule(pack, "diaphragm_clearance").value,
+        node_clearance=rule(pack, "node_clearance").value,
+        piece_end_clearance=rule(pack, "piece_end_clearance").value,
+        narrowest_lane=rule(pack, "longitudinal_strip").value,
+    )
+
+
+def weld_defaults(pack: str) -> WeldDefaults:
+    """Preparations of seams and joints that no row of the Edges sheet names."""
+
+    def value(name: str) -> float:
+        return rule(pack, name).value
+
+    corner = Prep(
+        "corner",
+        "bevel",
+        math.radians(value("corner_groove_angle")),
+        value("corner_groove_land"),
+    )
+    butt = Prep(
+        "butt",
+        "v",
+        math.radians(value("butt_groove_angle")),
+        value("butt_groove_land"),
+        value("butt_groove_gap"),
+    )
+    return WeldDefaults(corner, butt, bevel_step=math.radians(value("bevel_step")))
+
+
+def thickness_rules(pack: str) -> ThicknessRules:
+    """The limits of thickness joints."""
+    return ThicknessRules(
+        stagger=rule(pack, "joint_stagger").value,
+        fold_clearance=rule(pack, "fold_clearance").value,
+        chamfer_slope=rule(pack, "thickness_chamfer").value,
     )
 
 
@@ -96,4 +135,27 @@ def forming_rules(pack: str) -> FormingRules:
     return FormingRules(
         **{name: rule(pack, name).value for name in names},
         fold_without_press=math.radians(rule(pack, "fold_without_press").value),
+    )
+
+
+def node_rules(pack: str) -> NodeRules:
+    """The limits of nodes."""
+    return NodeRules(
+        least_angle=math.radians(rule(pack, "node_least_angle").value),
+        flange_angle=math.radians(rule(pack, "node_flange_angle").value),
+        **{
+            name: rule(pack, f"node_{name}").value
+            for name in (
+                "near",
+                "end_distance",
+                "shortest_branch",
+                "overhang",
+                "same",
+                "flange_step",
+                "gap",
+                "snipe",
+                "wall_gap",
+                "access",
+            )
+        },
     )

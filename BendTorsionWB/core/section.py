@@ -66,6 +66,14 @@ class Strip:
     line: float = 0.0
 
 
+def strips_meet(one: Strip, other: Strip) -> bool:
+    """True for strips with a corner in common, and where one stops at the other."""
+    stops = [(a.stops_at_first, a.stops_at_second, b.face) for a, b in ((one, other), (other, one))]
+    return bool({one.first, one.second} & {other.first, other.second}) or any(
+        stop is not None and stop.face == face for *both, face in stops for stop in both
+    )
+
+
 @dataclass(frozen=True)
 class Section:
     """A section by its corners (n, 2), about the middle of its h and b, and its strips. mm.

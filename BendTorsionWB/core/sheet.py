@@ -23,6 +23,7 @@ LINE_STYLES: dict[str, tuple[float, tuple[float, ...]]] = {
     "chain": (0.18, (7.0, 1.2, 0.8, 1.2)),
 }
 FONT_FAMILY = "DejaVu Sans"
+CJK_FAMILIES = ("WenQuanYi Micro Hei", "Noto Sans CJK SC", "Droid Sans Fallback")
 CAP_HEIGHT = 0.729  # of the em square in DejaVu Sans; a text's height is its capitals' height
 DESCENT = 0.236
 WIDTH_MARGIN = 1.02  # renderers round font sizes

@@ -1,322 +1,160 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A member's record laid out as A3 sheets: overview, flat patterns, point tables."""
+"""A member's record laid out as sheets: assemblies, sections and welds, plates, beds."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
-from .finding import Finding, has_error
-from .lofting import DevelopedPlate, MemberRecord
-from .sheet import Sheet, Table, Text, text_width, wrapped
-from .sheet_overview import SCALES, overview
-from .sheet_page import (
-    BOTTOM,
-    LEFT,
-    RIGHT,
-    TEXT,
-    TITLE_BLOCK,
-    TOP,
-    Page,
-    finished,
-    fixed,
-    with_unit,
-)
-from .sheet_pattern import Block, pattern_block
+import numpy as np
 
-ROW_HEIGHT = 3.8
-GAP = 5.0
-PATTERN_BOTTOM = TITLE_BLOCK[3] + 3.0
-STATION_ROOM = 8.0  # mm on paper that station lines keep at least, where a choice of scale is left
-PATTERN_NOTE = (
-    "Patterns are drawn on the mid-surface as seen from the marking face. u runs right and v up "
-    "from the cross at the lower left corner of each pattern's bounding box. L: station line, "
-    "E: end line, P: point, small cross: witness mark W, F (dashed): fold line with its angle, "
-    "positive where the outer face is convex. Dimensions are overall, in mm."
+from .finding import has_error
+from .lofting import MemberRecord, ZoneRecord
+from .piece_record import PieceFigures
+from .sheet import Sheet, Text, wrapped
+from .sheet_assembly import assembly_pages
+from .sheet_bed import (
+    PINS_HEADER,
+    PINS_NOTE,
+    POINTS_HEADER,
+    POINTS_NOTE,
+    SEATS_HEADER,
+    bed_page,
+    pin_rows,
+    point_rows,
+    seat_rows,
+    seats_shown,
 )
-POINT_NOTE = (
-    "s: arc length on the axis. x, y, z: model coordinates, 1 mm. u, v: flat pattern, 0.1 mm. "
-    "P: on the outer face's corner line. W: witness mark on the marking face, inside the edge."
-)
+from .sheet_page import Page, finished, subject_of
+from .sheet_plate import plate_pages
+from .sheet_section import section_pages
+from .sheet_style import PLAIN_STYLE, SheetStyle
+from .sheet_tables import Listing, listing_pages
 
 
-def member_sheets(record: MemberRecord, project: str = "", author: str = "") -> tuple[Sheet, ...]:
-    """All sheets of one member, drawn by `author`; a record in error gives the one sheet that says
-    so."""
+def member_sheets(record: MemberRecord, style: SheetStyle = PLAIN_STYLE) -> tuple[Sheet, ...]:
+    """All sheets of one member; a record in error gives the one sheet that says so."""
     if has_error(record.findings):
-        pages = [_error_page(record)]
+        pages = [_error_page(record, style)]
     else:
-        pages = [*_overview_pages(record), *_pattern_pages(record), *_point_pages(record)]
+        pages = [*_assemblies(record, style), *plate_pages(record, style)]
+        pages += _bed_pages(record, style)
+    subject = subject_of(record)
     return tuple(
-        finished(page, record, project, author, number, len(pages))
+        finished(page, subject, style, number, len(pages))
         for number, page in enumerate(pages, start=1)
     )
 
 
-# --- pages -----------------------------------------------------------------------------------
-
-
-def _error_page(record: MemberRecord) -> Page:
-    texts = [Text(LEFT, TOP - 10.0, 7.0, f"{record.member}: IN ERROR, NOT DRAWN")]
-    y = TOP - 24.0
+def _error_page(record: MemberRecord, style: SheetStyle) -> Page:
+    form = style.page
+    lines = wrapped(
+        style.say("{}: IN ERROR, NOT DRAWN", record.member), 7.0, form.right - form.left
+    )
+    y = form.top - 10.0
+    texts = []
+    for line in lines:
+        texts.append(Text(form.left, y, 7.0, line))
+        y -= 14.0
     for finding in record.findings:
-        for line in wrapped(finding.line(), 2.5, RIGHT - LEFT):
-            if y < PATTERN_BOTTOM:
+        for line in wrapped(finding.line(), 2.5, form.right - form.left):
+            if y < form.clear_bottom:
                 break
-            texts.append(Text(LEFT, y, 2.5, line))
+            texts.append(Text(form.left, y, 2.5, line))
             y -= 4.6
         y -= 2.0
-    return Page("in error", texts=tuple(texts))
+    return Page(style.say("in error"), texts=tuple(texts))
 
 
-def _overview_pages(record: MemberRecord) -> list[Page]:
-    header = ("mark", "t", "length", "width", "mass, kg", "max error", "strain, %")
-    rows = [
-        (
-            plate.mark,
-            f"{plate.thickness:g}",
-            fixed(plate.length, 1),
-            fixed(plate.width, 1),
-            fixed(plate.mass, 1),
-            fixed(plate.length_error_max, 4),
-            fixed(100.0 * plate.strain_max, 4),
-        )
-        for plate in record.plates
-    ]
-    widths = _widths(header, rows)
-    columns = max(1, int((TITLE_BLOCK[0] - LEFT) // (sum(widths) + GAP)))
-    most = 26
-    height = min(-(-len(rows) // columns), most)
-    tables = tuple(
-        Table(
-            LEFT + k * (sum(widths) + GAP),
-            BOTTOM + ROW_HEIGHT * (height + 1),
-            widths,
-            header,
-            tuple(rows[k * height : (k + 1) * height]),
-            "<" + ">" * 6,
-            ROW_HEIGHT,
-            TEXT,
-        )
-        for k in range(columns)
-        if rows[k * height : (k + 1) * height]
-    )
-    left_top = BOTTOM + ROW_HEIGHT * (height + 1) + 2.0
-    texts = []
-    if rows:
-        text = "Plates (mm; length error of edges, lines and diagonals; net mass)"
-        texts.append(Text(LEFT, left_top, 2.5, text))
-    figures, notes, right_top = _member_data(record)
-    base = max(left_top + 5.0, right_top + 2.0)
-    page = Page("overview", tuple(p.mark for p in record.plates), texts=(*texts, *notes))
-    page = replace(page, tables=(*tables, figures))
-    if record.wireframe:
-        drawn = overview(record, (LEFT, base, RIGHT, TOP))
-        page = replace(
-            page,
-            scale=f"1:{drawn.scale}",
-            views=drawn.views,
-            lines=drawn.lines,
-            texts=(*page.texts, *drawn.texts),
-        )
-    rest = rows[columns * height :]
-    return [page, *_table_pages("plate list", header, rest, "<" + ">" * 6, lambda row: row[0], "")]
-
-
-def _member_data(record: MemberRecord) -> tuple[Table, list[Text], float]:
-    """The member's figures and warnings above the title block, and the height they reach."""
-    degrees = 57.29577951308232
-    rows = (
-        (
-            "length on the axis",
-            with_unit(record.length, 0, "mm"),
-            "axis to surface, rms",
-            with_unit(record.axis_to_surface_rms, 4, "mm"),
-        ),
-        (
-            "net mass",
-            with_unit(record.mass, 1, "kg"),
-            "axis to surface, max",
-            with_unit(record.axis_to_surface_max, 4, "mm"),
-        ),
-        (
-            "plates",
-            str(len(record.plates)),
-            "torsion error, max",
-            with_unit(record.torsion_error_max, 5, "°", degrees),
-        ),
-        (
-            "section type",
-            record.section_type,
-            "total torsion",
-            with_unit(record.total_torsion, 2, "°", degrees),
-        ),
-    )
-    x, width = TITLE_BLOCK[0] + 2.0, TITLE_BLOCK[2] - TITLE_BLOCK[0] - 4.0
-    y = TITLE_BLOCK[3] + 3.0
-    texts = []
-    warnings = [f for f in record.findings if f.severity == "warning"]
-    lines = _warning_lines(warnings, width, 14)
-    for line in reversed(lines):
-        texts.append(Text(x, y, TEXT, line))
-        y += 3.3
-    if lines:
-        texts.append(Text(x, y + 0.6, 2.5, f"Warnings ({len(warnings)})"))
-        y += 6.0
-    table = Table(
-        x,
-        y + ROW_HEIGHT * (len(rows) + 1),
-        (42.0, 44.0, 46.0, width - 132.0),
-        ("member", record.member, "figure", "value"),
-        rows,
-        "<><>",
-        ROW_HEIGHT,
-        TEXT,
-    )
-    return table, texts, y + table.height
-
-
-def _warning_lines(warnings: Sequence[Finding], width: float, most: int) -> list[str]:
-    """Warnings wrapped to at most `most` lines; the last says how many are left out."""
-    lines: list[str] = []
-    for done, finding in enumerate(warnings):
-        text = finding.line().removeprefix("warning: ")
-        new = wrapped(text, TEXT, width)
-        room = most if done == len(warnings) - 1 else most - 1
-        if len(lines) + len(new) > room:
-            return [*lines, f"and {len(warnings) - done} more: see the Checks of results.xlsx"]
-        lines += new
-    return lines
-
-
-def _pattern_pages(record: MemberRecord) -> list[Page]:
-    if not record.plates:
-        return []
-    shelves, scale = _shelved_patterns(record.plates)
-    note = wrapped(PATTERN_NOTE, TEXT, TITLE_BLOCK[0] - LEFT - 6.0)
-    texts = tuple(
-        Text(LEFT, BOTTOM + 2.0 + 3.3 * (len(note) - 1 - k), TEXT, line)
-        for k, line in enumerate(note)
-    )
-    pages = []
-    for blocks in shelves:
-        pages.append(
-            Page(
-                "flat patterns",
-                tuple(block.mark for block in blocks),
-                f"1:{scale}",
-                tuple(block.view for block in blocks),
-                tuple(line for block in blocks for line in block.lines),
-                (*(text for block in blocks for text in block.texts), *texts),
-            )
-        )
+def _assemblies(record: MemberRecord, style: SheetStyle) -> list[Page]:
+    """The assembly drawing of each delivery piece, after an overview when there are several."""
+    say = style.say
+    if len(record.pieces) < 2:
+        pages = assembly_pages(record, record.member, say("assembly"), style)
+        return [*pages, *section_pages(record, say("sections and welds"), style)]
+    pages = assembly_pages(record, record.member, say("overview"), style)
+    for own in record.pieces:
+        number = own.piece.number
+        part, name = piece_record(record, own), f"{record.member}-P{number}"
+        pages += assembly_pages(part, name, say("assembly P{}", number), style)
+        pages += section_pages(part, say("sections and welds P{}", number), style)
     return pages
 
 
-def _shelved_patterns(plates: Sequence[DevelopedPlate]) -> tuple[list[list[Block]], int]:
-    """Patterns on pages at the one scale of the member: the largest that fits every plate and
-    puts three on a page, unless station lines would come too close."""
-    width, height = RIGHT - LEFT, TOP - PATTERN_BOTTOM
-    fitting = [
-        scale
-        for scale in SCALES
-        if all(p.length / scale + 22.0 <= width for p in plates)
-        and all(p.width / scale + 32.0 <= height for p in plates)
-    ] or [SCALES[-1]]
-    wanted = fitting[0]
-    for scale in fitting:
-        if 500.0 / scale < STATION_ROOM:
-            break
-        wanted = scale
-        sizes = [(max(p.length / scale + 20.0, 90.0), p.width / scale + 28.0) for p in plates]
-        if len(plates) / _page_count(sizes, width, height) >= min(3, len(plates)):
-            break
-    for scale in (s for s in SCALES if s >= wanted):
-        blocks = [pattern_block(plate, scale) for plate in plates]
-        if all(b.box[2] - b.box[0] <= width and b.box[3] - b.box[1] <= height for b in blocks):
-            break
-    return _pack(blocks), scale
-
-
-def _page_count(sizes: Sequence[tuple[float, float]], width: float, height: float) -> int:
-    return len({page for page, _, _ in _shelf(sizes, width, height)})
-
-
-def _shelf(sizes, width: float, height: float) -> list[tuple[int, float, float]]:
-    """Page, left and top (downwards from 0) of each size, filled in order row by row."""
-    places, page, x, y, row = [], 0, 0.0, 0.0, 0.0
-    for wide, high in sizes:
-        if x > 0.0 and x + wide > width:
-            x, y, row = 0.0, y + row + GAP, 0.0
-        if y > 0.0 and y + high > height:
-            page, x, y, row = page + 1, 0.0, 0.0, 0.0
-        places.append((page, x, y))
-        x, row = x + wide + GAP, max(row, high)
-    return places
-
-
-def _pack(blocks: Sequence[Block]) -> list[list[Block]]:
-    sizes = [(b.box[2] - b.box[0], b.box[3] - b.box[1]) for b in blocks]
-    pages: list[list[Block]] = []
-    for block, (page, x, y) in zip(
-        blocks, _shelf(sizes, RIGHT - LEFT, TOP - PATTERN_BOTTOM), strict=True
-    ):
-        if page == len(pages):
-            pages.append([])
-        pages[page].append(block.moved(LEFT + x - block.box[0], TOP - y - block.box[3]))
-    return pages
-
-
-def _point_pages(record: MemberRecord) -> list[Page]:
-    header = ("plate", "point", "line", "edge", "s", "x", "y", "z", "u", "v")
-    rows = [
-        (
-            plate.mark,
-            point.label,
-            point.line,
-            point.edge,
-            fixed(point.s, 1),
-            *(fixed(value, 0) for value in point.xyz),
-            *(fixed(value, 1) for value in point.flat),
+def piece_record(record: MemberRecord, own: PieceFigures) -> MemberRecord:
+    """What of a member's record belongs to one of its delivery pieces."""
+    piece = own.piece
+    start, end = max(piece.start, 0.0), min(piece.end, record.length or piece.end)
+    plates = tuple(plate for plate in record.plates if plate.piece == piece.number)
+    marks = {plate.mark for plate in record.plates} - {plate.mark for plate in plates}
+    zones = tuple(
+        ZoneRecord(
+            zone.label,
+            zone.group,
+            max(zone.start, start),
+            min(zone.end, end),
+            zone.slope,
+            zone.steps,
         )
-        for plate in record.plates
-        for point in plate.points
-    ]
-    align = "<<<<" + ">" * 6
-    return _table_pages("points", header, rows, align, lambda row: row[0], POINT_NOTE)
+        for zone in record.zones
+        if zone.end > start + 1.0 and zone.start < end - 1.0
+    )
+    return replace(
+        record,
+        length=end - start,
+        mass=own.mass,
+        plates=plates,
+        wireframe=_clipped(
+            {name: line for name, line in record.wireframe.items() if name not in marks}, start, end
+        ),
+        findings=tuple(f for f in record.findings if f.object in {p.mark for p in plates}),
+        zones=zones,
+        centre_of_gravity=own.centre_of_gravity,
+        painted_area=None,
+        beds=(),
+        pieces=(),
+        welds=tuple(weld for weld in record.welds if weld.piece == piece.number),
+        controls=tuple(one for one in record.controls if one.piece == piece.number),
+    )
 
 
-def _table_pages(heading, header, rows, align, mark_of, note) -> list[Page]:
-    """Rows as tables side by side, on as many pages as they need."""
-    if not rows:
-        return []
-    widths = _widths(header, rows)
-    wide = sum(widths)
-    count = max(1, int((RIGHT - LEFT + GAP) // (wide + GAP)))
-    pages, start = [], 0
-    while start < len(rows):
-        tables, first = [], start
-        for k in range(count):
-            x = LEFT + k * (wide + GAP)
-            clear = x + wide < TITLE_BLOCK[0] - 1.0
-            floor = BOTTOM + 6.0 if clear else PATTERN_BOTTOM
-            fits = int((TOP - floor) // ROW_HEIGHT) - 1
-            part = tuple(rows[start : start + fits])
-            if part:
-                tables.append(Table(x, TOP, widths, header, part, align, ROW_HEIGHT, TEXT))
-            start += len(part)
-        marks = tuple(dict.fromkeys(mark_of(row) for row in rows[first:start]))
-        lines = wrapped(note, TEXT, TITLE_BLOCK[0] - LEFT - 4.0)[:2] if note else []
-        texts = tuple(
-            Text(LEFT, BOTTOM - 1.0 + 2.9 * (len(lines) - 1 - k), TEXT, line)
-            for k, line in enumerate(lines)
+def _clipped(wireframe: dict[str, np.ndarray], start: float, end: float) -> dict[str, np.ndarray]:
+    """The lines along a member between two arc lengths; others, such as rings, as they are."""
+    axis = wireframe.get("axis")
+    if axis is None:
+        return wireframe
+    step = np.sqrt((np.diff(axis, axis=0) ** 2).sum(axis=1))
+    s = np.concatenate([[0.0], np.cumsum(step)])
+    clipped = {}
+    for name, line in wireframe.items():
+        if len(line) not in (len(s), 2 * len(s)):
+            clipped[name] = line
+            continue
+        places = s if len(line) == len(s) else np.repeat(s, 2)
+        inside = line[(places > start) & (places < end)]
+        ends = np.array(
+            [[np.interp(at, places, line[:, k]) for k in range(3)] for at in (start, end)]
         )
-        pages.append(Page(heading, marks, texts=texts, tables=tuple(tables)))
+        clipped[name] = np.vstack([ends[:1], inside, ends[1:]])
+    return clipped
+
+
+def _bed_pages(record: MemberRecord, style: SheetStyle) -> list[Page]:
+    pages, say = [], style.say
+    for bed in record.beds:
+        tables = (
+            (
+                "seats",
+                SEATS_HEADER,
+                seat_rows(bed, style)[seats_shown(style) :],
+                "<" + ">" * 8 + "<>>>",
+                "",
+            ),
+            ("control points", POINTS_HEADER, point_rows(bed), "<<" + ">" * 7, POINTS_NOTE),
+            ("pins", PINS_HEADER, pin_rows(bed), ">" * 6, PINS_NOTE),
+        )
+        pages.append(bed_page(bed, style))
+        for what, header, rows, align, note in tables:
+            heading = say("bed {}: {}", bed.name, say(what))
+            listing = Listing("", style.said(header), tuple(rows), align)
+            pages += listing_pages(heading, listing, style, say(note) if note else "")
     return pages
-
-
-def _widths(header: Sequence[str], rows: Sequence[Sequence[str]]) -> tuple[float, ...]:
-    """Column widths that hold every cell, mm, in steps of half a millimetre."""
-    columns = zip(header, *rows, strict=True)
-    widest = (max(text_width(cell, TEXT) for cell in set(column)) for column in columns)
-    return tuple(-(-(width + 2.2) // 0.5) * 0.5 for width in widest)

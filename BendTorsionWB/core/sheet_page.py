@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The page of a member's sheets: its frame, its title block, and how figures are written."""
+"""The page of a sheet: its frame and its title block, and figures with their units."""
 
 from __future__ import annotations
 
@@ -9,14 +9,12 @@ from dataclasses import dataclass
 from .. import __version__
 from .lofting import MemberRecord
 from .sheet import Polyline, Sheet, Table, Text, View, text_width, wrapped
+from .sheet_style import TITLE_ROW, SheetStyle, fixed
+from .sheet_symbols import projection_symbol
 
-PAGE = (420.0, 297.0)
-FRAME = (20.0, 10.0, 410.0, 287.0)  # ISO 5457: 20 mm filing margin, 10 mm elsewhere
-LEFT, BOTTOM, RIGHT, TOP = FRAME[0] + 3.0, FRAME[1] + 3.0, FRAME[2] - 3.0, FRAME[3] - 3.0
-TITLE_ROW = 8.4
-TITLE_BLOCK = (230.0, 10.0, 410.0, 10.0 + 5 * TITLE_ROW)
 SIGNED_CELLS = ("drawn", "checked", "approved", "date", "revision")
 TEXT = 1.8
+PROJECTION_CELL = 26.0
 
 
 @dataclass(frozen=True)
@@ -32,45 +30,64 @@ class Page:
     tables: tuple[Table, ...] = ()
 
 
-def finished(
-    page: Page, record: MemberRecord, project: str, author: str, number: int, of: int
-) -> Sheet:
-    """The page with its frame, title block and number."""
+@dataclass(frozen=True)
+class Subject:
+    """What a set of sheets is about, as its title blocks say: name of the member or the project's
+    general arrangement, its sections, materials and net mass."""
+
+    name: str
+    sections: str
+    material: str
+    mass: float | None
+
+
+def subject_of(record: MemberRecord) -> Subject:
+    """The subject of a member's sheets."""
     materials = ", ".join(dict.fromkeys(p.material for p in record.plates if p.material))
-    marks = ", ".join(page.marks) if len(page.marks) <= 12 else _spanned(page.marks)
-    mass = with_unit(record.mass, 1, "kg")
+    return Subject(record.member, record.sections, materials, record.mass)
+
+
+def finished(page: Page, subject: Subject, style: SheetStyle, number: int, of: int) -> Sheet:
+    """The page with its frame, title block and number."""
+    say, form = style.say, style.page
+    marks = ", ".join(page.marks) if len(page.marks) <= 12 else _spanned(page.marks, say("to"))
+    units = say("mm") if style.unit == "mm" else say("ft-in; tables mm")
     rows = (
         (
-            ("project", project, 110.0),
-            ("sheet", f"{number} / {of}", 35.0),
-            ("scale", page.scale, 35.0),
+            (say("project"), style.project, 110.0),
+            (say("sheet"), f"{number} / {of}", 35.0),
+            (say("scale"), page.scale, 35.0),
         ),
         (
-            ("member", record.member, 40.0),
-            ("sections", record.sections, 85.0),
-            ("content", page.heading, 55.0),
+            (say("member"), subject.name, 40.0),
+            (say("sections"), subject.sections, 80.0),
+            (say("content"), page.heading, 60.0),
         ),
-        (("plates on this sheet", marks, 180.0),),
         (
-            ("material", materials, 70.0),
-            ("member mass (net)", mass, 40.0),
-            ("units", "mm", 20.0),
-            ("software", f"BendTorsion {__version__}", 50.0),
+            (say("plates on this sheet"), marks, 180.0 - PROJECTION_CELL),
+            (say("projection"), "", PROJECTION_CELL),
         ),
-        tuple((name, author if name == "drawn" else "", 36.0) for name in SIGNED_CELLS),
+        (
+            (say("material"), subject.material, 62.0),
+            (say("member mass (net)"), with_unit(subject.mass, 1, "kg"), 36.0),
+            (say("units"), units, 36.0),
+            (say("software"), f"BendTorsion {__version__}", 46.0),
+        ),
+        tuple((say(name), style.author if name == "drawn" else "", 36.0) for name in SIGNED_CELLS),
     )
-    lines, texts = _title_block(rows)
-    left, bottom, right, top = FRAME
+    lines, texts = _title_block(rows, style)
+    left, bottom, right, top = form.frame
     frame = Polyline(
         ((left, bottom), (right, bottom), (right, top), (left, top), (left, bottom)), "wide"
     )
     fields = tuple((label, value) for row in rows for label, value, _ in row if value)
     return Sheet(
-        f"{record.member} {page.heading}",
+        f"{subject.name} {page.heading}",
         number,
         of,
-        *PAGE,
-        FRAME,
+        form.width,
+        form.height,
+        form.frame,
         page.views,
         (frame, *lines, *page.lines),
         (*texts, *page.texts),
@@ -79,8 +96,8 @@ def finished(
     )
 
 
-def _title_block(rows) -> tuple[list[Polyline], list[Text]]:
-    left, bottom, right, top = TITLE_BLOCK
+def _title_block(rows, style: SheetStyle) -> tuple[list[Polyline], list[Text]]:
+    left, bottom, right, top = style.page.title_block
     lines = [Polyline(((left, bottom), (left, top), (right, top)), "medium")]
     texts = []
     for k, row in enumerate(rows):
@@ -94,24 +111,20 @@ def _title_block(rows) -> tuple[list[Polyline], list[Text]]:
             texts.append(Text(x + 1.2, y - 2.7, 1.8, label))
             if value:
                 height = 2.5 if text_width(value, 2.5) <= width - 2.4 else TEXT
-                value = wrapped(value, height, width - 2.4)[0] if value else ""
+                value = wrapped(value, height, width - 2.4)[0]
                 texts.append(Text(x + 1.2, y - TITLE_ROW + 1.5, height, value))
             x += width
+    middle = (right - 0.4 * PROJECTION_CELL, top - 2.0 * TITLE_ROW - 5.7)
+    lines += projection_symbol(middle, style.first_angle)
     return lines, texts
 
 
-def _spanned(marks: Sequence[str]) -> str:
-    """Many marks as `M1-T1 … M1-T5` per run of the same prefix."""
+def _spanned(marks: Sequence[str], to: str) -> str:
+    """Many marks as `M1-T1 to M1-T5` per run of the same prefix."""
     runs: dict[str, list[str]] = {}
     for mark in marks:
         runs.setdefault(mark.rstrip("0123456789"), []).append(mark)
-    return ", ".join(r[0] if len(r) == 1 else f"{r[0]} to {r[-1]}" for r in runs.values())
-
-
-def fixed(value: float, digits: int) -> str:
-    """A figure with its digits, and no minus before zero."""
-    text = f"{value:.{digits}f}"
-    return text.removeprefix("-") if float(text) == 0.0 else text
+    return ", ".join(r[0] if len(r) == 1 else f"{r[0]} {to} {r[-1]}" for r in runs.values())
 
 
 def with_unit(value: float | None, digits: int, unit: str, factor: float = 1.0) -> str:

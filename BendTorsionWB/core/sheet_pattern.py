@@ -7,52 +7,25 @@ A block is laid out around the pattern's own origin (the lower left corner of it
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
 
 import numpy as np
 
-from .lofting import DevelopedPlate
-from .sheet import Polyline, Text, View, boxes_overlap, text_box, text_width
+from .forming import fold_direction
+from .forming_record import FormingRecord
+from .lofting import DevelopedPlate, StationLine
+from .sheet import Polyline, Text, View, text_box, text_width, wrapped
+from .sheet_inner import hole_middle, label_inner
+from .sheet_labels import LABEL_HEIGHT, Labels, as_points, label_along, label_beyond
+from .sheet_pack import Block
+from .sheet_style import PLAIN_STYLE, SheetStyle, fixed
 
-LABEL_HEIGHT = 1.8
 CAPTION_HEIGHT = 2.5
 MARK_HEIGHT = 3.5
+CAPTION_ROOM = 120.0
+"""mm; width of the caption at least."""
+CAPTION_ROW = 3.2
 DRAWN_TOLERANCE = 0.01  # mm on paper between a curve and its drawn polyline
-CLEARANCE = 0.4  # mm between a label and what it must not touch
-TIERS = (
-    1.2,
-    4.2,
-    7.2,
-    10.2,
-    13.2,
-    16.2,
-)  # mm from a line's end to its label; beyond the first with a leader
-ALONG = (0.5, 0.36, 0.64, 0.22, 0.78, 0.1, 0.9)  # of a line's length, where its label may stand
-
-
-@dataclass(frozen=True)
-class Block:
-    """A laid out pattern. box: (left, bottom, right, top) page mm about the pattern's origin."""
-
-    mark: str
-    view: View
-    lines: tuple[Polyline, ...]
-    texts: tuple[Text, ...]
-    box: tuple[float, float, float, float]
-
-    def moved(self, dx: float, dy: float) -> Block:
-        """The block shifted on the page."""
-        x0, y0 = self.view.origin
-        return Block(
-            self.mark,
-            replace(self.view, origin=(x0 + dx, y0 + dy)),
-            tuple(
-                Polyline(tuple((x + dx, y + dy) for x, y in line.points), line.style)
-                for line in self.lines
-            ),
-            tuple(replace(text, x=text.x + dx, y=text.y + dy) for text in self.texts),
-            (self.box[0] + dx, self.box[1] + dy, self.box[2] + dx, self.box[3] + dy),
-        )
 
 
 def simplified(points: np.ndarray, tolerance: float) -> np.ndarray:
@@ -79,119 +52,100 @@ def simplified(points: np.ndarray, tolerance: float) -> np.ndarray:
     return points[keep]
 
 
-def as_points(array: np.ndarray) -> tuple[tuple[float, float], ...]:
-    """An (n, 2) array as plain points."""
-    return tuple((float(x), float(y)) for x, y in array)
+def _is_curved(line: StationLine) -> bool:
+    """True of an end line along a curved cut, which the outline shows."""
+    along = line.flat[1] - line.flat[0]
+    return line.length_flat - float(np.sqrt((along * along).sum())) > DRAWN_TOLERANCE
 
 
-class _Labels:
-    """Texts placed so far, and the segments they must not cross."""
+def pattern_block(
+    plate: DevelopedPlate,
+    scale: float,
+    style: SheetStyle = PLAIN_STYLE,
+    preps: Mapping[str, str] | None = None,
+) -> Block:
+    """The plate's pattern at 1:scale with caption, labels, folds and overall dimensions.
 
-    def __init__(self, segments: np.ndarray):
-        self.segments = segments
-        self.texts: list[Text] = []
-        self.boxes: list[np.ndarray] = []
-        self.bounds: list[tuple[float, float, float, float]] = []
-        self.leaders: list[Polyline] = []
-
-    def put(self, text: Text, leader: np.ndarray | None = None) -> bool:
-        """Take the text, and its leader (2, 2), as placed; False when they touch anything."""
-        box = text_box(text)
-        bound = (*box.min(axis=0).tolist(), *box.max(axis=0).tolist())
-        left, low, right, high = bound
-        grown = (left - CLEARANCE, low - CLEARANCE, right + CLEARANCE, high + CLEARANCE)
-        for other, taken in zip(self.boxes, self.bounds, strict=True):
-            apart = (
-                grown[0] >= taken[2]
-                or taken[0] >= grown[2]
-                or grown[1] >= taken[3]
-                or taken[1] >= grown[3]
-            )
-            if not apart and boxes_overlap(box, other, CLEARANCE):
-                return False
-        if _crossed(box, self.segments, CLEARANCE):
-            return False
-        if leader is not None:
-            if any(_crossed(other, leader[None], 0.1) for other in self.boxes):
-                return False
-            self.leaders.append(Polyline(as_points(leader), "narrow"))
-            self.segments = np.concatenate([self.segments, leader[None]])
-        self.texts.append(text)
-        self.boxes.append(box)
-        self.bounds.append(bound)
-        return True
-
-
-def _crossed(box: np.ndarray, segments: np.ndarray, clearance: float) -> bool:
-    """True when a segment (n, 2, 2) meets the rectangle grown by `clearance` (slab clipping)."""
-    if not len(segments):
-        return False
-    along, up = box[1] - box[0], box[3] - box[0]
-    size = np.array([np.hypot(*along), np.hypot(*up)])
-    axes = np.column_stack([along / size[0], up / size[1]])
-    local = (segments - box[0]) @ axes
-    start, step = local[:, 0], local[:, 1] - local[:, 0]
-    low, high = -clearance - start, size + clearance - start
-    with np.errstate(divide="ignore", invalid="ignore"):
-        enter, leave = low / step, high / step
-    enter, leave = np.minimum(enter, leave), np.maximum(enter, leave)
-    still = step == 0.0
-    inside = (low <= 0.0) & (high >= 0.0)
-    enter = np.where(still, np.where(inside, -np.inf, np.inf), enter)
-    leave = np.where(still, np.where(inside, np.inf, -np.inf), leave)
-    first = np.maximum(enter.max(axis=1), 0.0)
-    last = np.minimum(leave.min(axis=1), 1.0)
-    return bool(np.any(first <= last))
-
-
-def pattern_block(plate: DevelopedPlate, scale: float) -> Block:
-    """The plate's pattern at 1:scale with caption, labels, folds and overall dimensions."""
+    preps: how its edges are cut, by `E-1`, `E-2` and the names of its long edges.
+    """
+    say = style.say
     corner = np.concatenate(plate.outline).min(axis=0)
     outline = [simplified(run - corner, DRAWN_TOLERANCE * scale) for run in plate.outline]
     stations = [np.asarray(line.flat, float) - corner for line in plate.lines]
     folds = [np.asarray(fold.flat, float) - corner for fold in plate.folds]
+    # Plates that drop in or are clamped are not rolled.
+    rolled_up = plate.forming_data is not None and plate.forming in ("cold", "hot")
+    rolls = plate.forming_data.roll_lines if rolled_up else ()
+    rolled = [roll.flat - corner for roll in rolls]
+    inner = [
+        simplified(run - corner, DRAWN_TOLERANCE * scale) for h in plate.holes for run in h.runs
+    ]
+    marked = [
+        simplified(mark.flat - corner, DRAWN_TOLERANCE * scale)
+        for mark in plate.marks
+        if mark.kind == "line"
+    ]
     named = {fold.label for fold in plate.folds}  # folds are among the measuring lines as well
     polylines = (
         *(Polyline(as_points(run), "wide") for run in outline),
         *(
             Polyline(as_points(ends), "narrow")
             for line, ends in zip(plate.lines, stations, strict=True)
-            if line.label not in named
+            if line.label not in named and not _is_curved(line)
         ),
         *(Polyline(as_points(fold), "dashed") for fold in folds),
+        *(Polyline(as_points(ends), "chain") for ends in rolled),
+        *(Polyline(as_points(run), "medium") for run in inner),
+        *(Polyline(as_points(line), "narrow") for line in marked),
     )
-    edges = np.concatenate([np.stack([run[:-1], run[1:]], axis=1) for run in outline])
-    rulings = np.array(stations + folds).reshape(-1, 2, 2)
+    curves = [*outline, *inner, *marked]
+    edges = np.concatenate([np.stack([run[:-1], run[1:]], axis=1) for run in curves])
+    rulings = np.array(stations + folds + rolled).reshape(-1, 2, 2)
     crosses = _cross(np.zeros(2), 1.6)
     for point in plate.points:
         if point.kind == "witness":
             crosses += _cross((np.asarray(point.flat, float) - corner) / scale, 0.5)
-    labels = _Labels(
+    for mark in plate.marks:
+        if mark.kind == "punch":
+            crosses += _cross((mark.flat[0] - corner) / scale, 0.5)
+    for hole in plate.holes:
+        crosses += _cross((hole_middle(hole) - corner) / scale, 0.8)
+    labels = Labels(
         np.concatenate([edges / scale, rulings / scale, [line.points for line in crosses]])
     )
     size = np.concatenate(plate.outline).max(axis=0) - corner
-    left_out = _label_points(plate, labels, corner, scale)
+    left_out = 0
     middle = size / 2.0 / scale
+    # Folds first: a figure without which the plate cannot be made.
     for fold, ends in zip(plate.folds, folds, strict=True):
-        text = f"{fold.label} {np.degrees(fold.angle):.1f}°".replace("-0.0°", "0.0°")
+        way = say(fold_direction(fold.angle, plate.marking_face))
+        text = f"{fold.label} {abs(np.degrees(fold.angle)):.1f}° {way}"
         left_out += not (
-            _label_along(labels, text, ends / scale, None)
-            or _label_beyond(labels, text, ends[0] / scale, ends[1] / scale)
+            label_along(labels, text, ends / scale, None)
+            or label_beyond(labels, text, ends[0] / scale, ends[1] / scale)
+            or label_beyond(labels, text, ends[1] / scale, ends[0] / scale)
         )
+    left_out += _label_points(plate, labels, corner, scale)
+    left_out += label_inner(plate, labels, corner, scale, say("at"))
     for line, ends in zip(plate.lines, stations, strict=True):
         if line.label in named:
             continue
         outer = middle if line.label.startswith("E-") else None
         left_out += not (
-            _label_along(labels, line.label, ends / scale, outer)
-            or _label_beyond(labels, line.label, ends[0] / scale, ends[1] / scale)
-            or _label_beyond(labels, line.label, ends[1] / scale, ends[0] / scale)
+            label_along(labels, line.label, ends / scale, outer)
+            or label_beyond(labels, line.label, ends[0] / scale, ends[1] / scale)
+            or label_beyond(labels, line.label, ends[1] / scale, ends[0] / scale)
         )
+    _label_edges(plate, labels, stations, scale, middle, preps or {})
+    # Radii stand where there is room; all are in the forming tables.
+    for roll, ends in zip(rolls, rolled, strict=True):
+        label_along(labels, roll.text(), ends / scale, None)
     lines = [*labels.leaders, *crosses]
     bounds = np.array([*labels.bounds, (0.0, 0.0, *(size / scale))])
     low, high = bounds[:, :2].min(axis=0), bounds[:, 2:].max(axis=0)
-    dimensions, figures = _dimensions(size, scale, low[1] - 5.5, high[0] + 5.5)
-    caption = _caption(plate, left_out, min(low[0], 0.0), high[1] + 2.5, max(size[0] / scale, 90.0))
+    dimensions, figures = _dimensions(size, scale, low[1] - 5.5, high[0] + 5.5, style)
+    left, room = min(low[0], 0.0), max(size[0] / scale, CAPTION_ROOM)
+    caption = _caption(plate, left_out, left, high[1] + 3.0, room, style)
     texts = (*labels.texts, *figures, *caption)
     boxes = np.array([[*text_box(text).min(axis=0), *text_box(text).max(axis=0)] for text in texts])
     box = (
@@ -201,75 +155,43 @@ def pattern_block(plate: DevelopedPlate, scale: float) -> Block:
         float(boxes[:, 3].max()),
     )
     view = View(plate.mark, float(scale), (0.0, 0.0), polylines)
-    return Block(plate.mark, view, (*lines, *dimensions), texts, box)
+    return Block(plate.mark, (view,), (*lines, *dimensions), texts, box)
 
 
-def _label_points(plate: DevelopedPlate, labels: _Labels, corner, scale: float) -> int:
+def _label_edges(plate, labels: Labels, stations, scale: float, middle, preps) -> None:
+    """How edges are cut, beside them where there is room; all of it is in the table of edges."""
+    if len(stations) < 2:
+        return
+    places = {"E-1": stations[0], "E-2": stations[-1]}
+    half = (len(stations) - 1) // 2
+    for side, edge in enumerate(plate.edges):
+        places[edge.edge] = np.array([stations[half][side], stations[half + 1][side]])
+    for edge, text in preps.items():
+        if edge in places:
+            label_along(labels, text, places[edge] / scale, middle)
+
+
+def _label_points(plate: DevelopedPlate, labels: Labels, corner, scale: float) -> int:
     """P labels beyond the ends of their lines, on leaders where crowded; the number that found no
     room."""
     left_out = 0
     lines = {line.label: np.asarray(line.flat, float) - corner for line in plate.lines}
+    middle = 0.5 * (np.concatenate(plate.outline).max(axis=0) - corner)
     for point in plate.points:
-        if point.kind != "arris" or point.line not in lines:
+        if point.kind != "arris":
+            continue
+        if point.line not in lines:
+            # A corner of a flat part.
+            end = np.asarray(point.flat, float) - corner
+            left_out += not label_beyond(labels, point.label, end / scale, middle / scale)
             continue
         ends = lines[point.line]
         flat = np.asarray(point.flat, float) - corner
         near = int(np.argmin(np.hypot(*(ends - flat).T)))
-        left_out += not _label_beyond(
+        left_out += not label_beyond(
             labels, point.label, ends[near] / scale, ends[1 - near] / scale
         )
     return left_out
-
-
-def _label_beyond(labels: _Labels, label: str, end: np.ndarray, far: np.ndarray) -> bool:
-    """A level label beyond `end` of the line from `far`; False when there is no room."""
-    away = end - far
-    length = np.hypot(*away)
-    if length == 0.0:
-        return False
-    away = away / length
-    half = np.array([text_width(label, LABEL_HEIGHT), LABEL_HEIGHT * 1.32]) / 2.0
-    reach = float(np.abs(away) @ half) if abs(away[0]) > 0.5 else half[1] / abs(away[1])
-    for gap in TIERS:
-        for side in (0.0, -1.0, 1.0) if gap == TIERS[0] else (0.0,):
-            middle = end + away * (gap + reach) + (side * half[0], 0.0)
-            text = Text(
-                float(middle[0]),
-                float(middle[1] - LABEL_HEIGHT / 2.0 + 0.16 * LABEL_HEIGHT),
-                LABEL_HEIGHT,
-                label,
-                anchor="middle",
-            )
-            leader = np.array([end + away * 0.5, end + away * (gap - 0.2)])
-            if labels.put(text, leader if gap > TIERS[0] else None):
-                return True
-    return False
-
-
-def _label_along(labels: _Labels, label: str, ends: np.ndarray, outer) -> bool:
-    """A label beside a line, parallel to it; on the side away from `outer` when that is given."""
-    direction = ends[1] - ends[0]
-    length = np.hypot(*direction)
-    width = text_width(label, LABEL_HEIGHT)
-    if length < width + 2 * CLEARANCE:
-        return False
-    direction = direction / length
-    if direction[1] < -1e-9 or (abs(direction[1]) <= 1e-9 and direction[0] < 0.0):
-        direction = -direction
-    left = np.array([-direction[1], direction[0]])
-    # The body of a text lies left of its base line, so the far side needs the whole height.
-    above, below = left * (CLEARANCE + 0.85), -left * (LABEL_HEIGHT + CLEARANCE + 0.4)
-    offsets = [above, below]
-    if outer is not None and (outer - ends.mean(axis=0)) @ left > 0.0:
-        offsets = [below, above]
-    angle = float(np.degrees(np.arctan2(direction[1], direction[0])))
-    for offset in offsets:
-        for share in ALONG:
-            x, y = ends[0] + (ends[1] - ends[0]) * share + offset
-            text = Text(float(x), float(y), LABEL_HEIGHT, label, angle, "middle")
-            if labels.put(text):
-                return True
-    return False
 
 
 def _cross(center: np.ndarray, arm: float) -> list[Polyline]:
@@ -280,7 +202,9 @@ def _cross(center: np.ndarray, arm: float) -> list[Polyline]:
     ]
 
 
-def _dimensions(size, scale: float, y: float, x: float) -> tuple[list[Polyline], list[Text]]:
+def _dimensions(
+    size, scale: float, y: float, x: float, style: SheetStyle
+) -> tuple[list[Polyline], list[Text]]:
     """Overall length below the pattern at height y, overall width right of it at x."""
     length, width = float(size[0]) / scale, float(size[1]) / scale
     lines = [
@@ -292,30 +216,70 @@ def _dimensions(size, scale: float, y: float, x: float) -> tuple[list[Polyline],
         *(Polyline(((x - 1.0, end - 1.0), (x + 1.0, end + 1.0)), "medium") for end in (0, width)),
     ]
     texts = [
-        Text(length / 2.0, y + 0.9, CAPTION_HEIGHT, f"{size[0]:.1f}", anchor="middle"),
-        Text(x - 0.9, width / 2.0, CAPTION_HEIGHT, f"{size[1]:.1f}", 90.0, "middle"),
+        Text(length / 2.0, y + 0.9, CAPTION_HEIGHT, style.length(size[0]), anchor="middle"),
+        Text(x - 0.9, width / 2.0, CAPTION_HEIGHT, style.length(size[1]), 90.0, "middle"),
     ]
     return lines, texts
 
 
-def _caption(plate: DevelopedPlate, left_out: int, x: float, y: float, room: float) -> list[Text]:
-    """Mark, plate, size, mass and side, above the pattern in one line or two."""
-    parts = (
-        f"PL {plate.thickness:g}  {plate.material}".rstrip(),
-        f"{plate.length:.1f} × {plate.width:.1f}",
-        f"{plate.mass:.1f} kg",
-        f"face {plate.face}, seen from {plate.marking_face} (marking face)"
-        + (f"; labels left out: {left_out}, see the point table" if left_out else ""),
-    )
-    start = x + text_width(plate.mark, MARK_HEIGHT) + 5.0
-    whole = "    ".join(parts)
-    if text_width(whole, CAPTION_HEIGHT) <= room - (start - x):
-        return [
-            Text(x, y, MARK_HEIGHT, plate.mark),
-            Text(start, y, CAPTION_HEIGHT, whole),
-        ]
-    return [
-        Text(x, y + 4.6, MARK_HEIGHT, plate.mark),
-        Text(start, y + 4.6, CAPTION_HEIGHT, "    ".join(parts[:3])),
-        Text(x, y, CAPTION_HEIGHT, parts[3]),
+def _caption(
+    plate: DevelopedPlate, left_out: int, x: float, y: float, room: float, style: SheetStyle
+) -> list[Text]:
+    """Mark and plate above the pattern in large, what else the shop asks of it below them."""
+    say, gross = style.say, plate.gross
+    size = f"{style.length(plate.length)} × {style.length(plate.width)}"
+    parts = [
+        say("net {}", size),
+        say("{} kg", fixed(plate.mass, 1)),
+        say("gross {}", size)
+        if gross is None
+        else say("gross {}", f"{style.length(gross.length)} × {style.length(gross.width)}"),
+        say("{} kg", fixed(plate.mass if gross is None else gross.mass, 1)),
+        say("quantity {}", plate.quantity),
+        say("part {}", plate.part) if plate.part != plate.mark else "",
+        say("opposite hand of {}", plate.opposite_hand) if plate.opposite_hand else "",
+        say("face {}", say(plate.face)),
+        say("marking face: {}, seen from there", say(plate.marking_face)),
+        say("rolling direction along u"),
+        say("labels left out: {}, see the tables", left_out) if left_out else "",
     ]
+    lines = wrapped("; ".join(part for part in parts if part), LABEL_HEIGHT, room)
+    if plate.forming_data is not None:
+        lines += wrapped(forming_note(plate.forming_data, style), LABEL_HEIGHT, room)
+    texts = [
+        Text(x, y + CAPTION_ROW * (len(lines) - 1 - k), LABEL_HEIGHT, line)
+        for k, line in enumerate(lines)
+    ]
+    top = y + CAPTION_ROW * len(lines) + 0.6
+    start = x + text_width(plate.mark, MARK_HEIGHT) + 5.0
+    # Stock is ordered by its exact thickness, which sixteenths of an inch would not tell.
+    stock = f"PL {plate.thickness:g}" + (" mm" if style.unit == "ft-in" else "")
+    return [
+        Text(x, top, MARK_HEIGHT, plate.mark),
+        Text(start, top, CAPTION_HEIGHT, f"{stock}  {plate.material}".rstrip()),
+        *texts,
+    ]
+
+
+def forming_note(data: FormingRecord, style: SheetStyle) -> str:
+    """How a plate is formed, one line; as FormingRecord.note says it."""
+    say, kind, down = style.say, data.forming_class, data.pull_down
+    sign = "≤" if kind.name == "flat" else "<" if kind.rule.startswith("cold") else ">"
+    why = f"({kind.rule}: {kind.value:.1f} {sign} {kind.limit:.1f} {kind.unit})"
+    parts = [say("forming: {}", say(kind.name)) + f" {why}"]
+    if kind.name in ("cold", "hot"):
+        pressed = kind.rule == "fold_without_press"
+        parts.append(say("press at the folds") if pressed else say("pre-form"))
+    elif kind.name != "flat" and not down.drops_in:
+        if down.clamp_middle:
+            parts.append(say("clamp with {} kN at mid-length", fixed(down.clamp_middle, 1)))
+        if down.clamp_corner:
+            parts.append(say("clamp with {} kN at each free corner", fixed(down.clamp_corner, 1)))
+    else:
+        parts.append(say("may stay flat") if kind.name == "flat" else say("drops in"))
+    if not data.may_stay_flat:
+        if np.isfinite(data.bending_radius_min):
+            parts.append(say("R min {} m", fixed(1e-3 * data.bending_radius_min, 1)))
+        parts.append(say("twist {}°/m", fixed(np.degrees(1e3 * data.twist_max), 2)))
+        parts.append(say("locked-in stress {} MPa", fixed(data.locked_in_stress, 0)))
+    return "; ".join(parts)

@@ -49,12 +49,14 @@ def strip_table(strips: Sequence[Strip]) -> StripTable:
 
 @dataclass(frozen=True, eq=False)
 class Sites:
-    """The section at n places: corners and their motion d/ds (n, m, 2), thickness (n, k), gaps
-    (n, k, 2), and what the axis does there: curvatures ky, kz and twist (n,)."""
+    """The section at n places: corners and their motion d/ds (n, m, 2), thickness (n, k), that of
+    the stock (n, k) before it is chamfered, gaps (n, k, 2), and what the axis does there:
+    curvatures ky, kz and twist (n,)."""
 
     corners: np.ndarray
     motion: np.ndarray
     thickness: np.ndarray
+    stock: np.ndarray
     gaps: np.ndarray
     ky: np.ndarray
     kz: np.ndarray
@@ -72,10 +74,12 @@ def section_site(section: Section) -> Sites:
         for strip in section.strips
     ]
     zero = np.zeros(1)
+    thickness = np.array([[s.thickness for s in section.strips]])
     return Sites(
         corners,
         np.zeros_like(corners),
-        np.array([[s.thickness for s in section.strips]]),
+        thickness,
+        thickness,
         np.array([gaps]),
         zero,
         zero,
@@ -97,7 +101,10 @@ def section_polygons(section: Section) -> np.ndarray:
 
 
 def own_lines(table: StripTable, sites: Sites, strip: np.ndarray, depth: np.ndarray) -> np.ndarray:
-    """Lines (n, 2, 2) of strips (n,), first to second corner, at depths (n,): 0 outer … 1 inner."""
+    """Lines (n, 2, 2) of strips (n,), first to second corner, at depths (n,): 0 outer … 1 inner.
+
+    The mid-surface, 0.5, is that of the stock: plates are developed and cut before they are
+    chamfered."""
     n = np.arange(len(strip))
     corner = np.stack([table.first[strip], table.second[strip]], axis=1)
     line = sites.corners[n[:, None], corner]
@@ -106,7 +113,8 @@ def own_lines(table: StripTable, sites: Sites, strip: np.ndarray, depth: np.ndar
     motion = sites.motion[n[:, None], corner] + turning
     across = motion[..., 0] * normal[:, :1] + motion[..., 1] * normal[:, 1:]
     stretch = 1.0 - sites.ky[:, None] * line[..., 0] - sites.kz[:, None] * line[..., 1]
-    inset = (depth - table.line[strip]) * sites.thickness[n, strip]
+    thickness = np.where(depth == 0.5, sites.stock[n, strip], sites.thickness[n, strip])
+    inset = (depth - table.line[strip]) * thickness
     inset = inset[:, None] * np.sqrt(1.0 + (across / stretch) ** 2)
     return line + inset[:, :, None] * normal[:, None]
 

@@ -19,6 +19,7 @@ import numpy as np
 from . import tolerances
 from .frames import FrameStations
 from .member import Member, stretch
+from .memo import Kept, content_hash, made_from
 from .piecewise import Piecewise, span_nodes
 from .strip_lines import Sites, crossing, edge_points, left_of, limits, own_lines
 
@@ -26,6 +27,7 @@ RELIEF_LENGTH = 500.0
 LEAST_FOLD = 1e-6
 """Angle, rad, below which a strip is not folded: its mitre would be wherever rounding puts it."""
 _Arrays = TypeVar("_Arrays", FrameStations, Sites)
+_kept = Kept()
 LEVELS = {"outer": 0.0, "mid": 0.5, "inner": 1.0}
 _DEPTHS = np.array([*LEVELS.values()])
 
@@ -66,22 +68,42 @@ def rails_between(
     law = member.law
     starts = np.array([cell.start for cell in law.cells])
     mitres = _mitres(member)
-    blocks, folds, boundaries = [], [], []
-    for strip, start, end in spans:
-        low = int(np.searchsorted(starts, start, side="right")) - 1
+    rails: dict[int, StripRails] = {}
+    new, keys, blocks = [], [], []
+    for number, (strip, start, end) in enumerate(spans):
+        low = max(0, int(np.searchsorted(starts, start, side="right")) - 1)
         high = int(np.searchsorted(starts, end, side="left")) - 1
-        boundaries.append(tuple(starts[low + 1 : high + 1].tolist()))
+        felt = low + np.flatnonzero(law.felt[low:high, strip])
+        ends = _end_reliefs(law, mitres, strip, start, end)
+        key = _content(member, mitres, (strip, start, end), low, high, felt, ends)
+        known = _kept.recall(key) if key else None
+        if known is not None:
+            rails[number] = known
+            continue
+        new.append(number)
+        keys.append(key)
+        cells = np.concatenate([[low], felt + 1])
         for level in range(3):
-            mine = slice(low, high), level, strip
-            block = _Block(
-                member, mitres, mine, _end_reliefs(law, mitres, strip, start, end), low, start, end
-            )
-            folds.append(tuple(block.edges[1:-1].tolist()))
-            blocks.append(block)
-    rails = _evaluated(member, blocks, [span[0] for span in spans])
-    return tuple(
-        StripRails(boundaries[k], *rails[3 * k : 3 * k + 3], *folds[3 * k : 3 * k + 3])
-        for k in range(len(spans))
+            blocks.append(_Block(member, mitres, (felt, level, strip), ends, cells, start, end))
+    made = _evaluated(member, blocks, [spans[number][0] for number in new])
+    for k, (number, key) in enumerate(zip(new, keys, strict=True)):
+        own = slice(3 * k, 3 * k + 3)
+        folds = [tuple(block.edges[1:-1].tolist()) for block in blocks[own]]
+        rails[number] = StripRails(blocks[own][0].boundaries, *made[own], *folds)
+        if key:
+            _kept.keep(key, rails[number])
+    return tuple(rails[number] for number in range(len(spans)))
+
+
+def _content(member: Member, mitres: _Mitres, span, low, high, felt, ends) -> str:
+    """Hash of all the rails of a span are made from; empty when it is not known."""
+    frames, prints = made_from(member.frames), member.law.prints
+    if not frames or prints is None:
+        return ""
+    strip = span[0]
+    parts = [part[felt, :, strip] for part in vars(mitres).values()]
+    return content_hash(
+        frames, span, *prints[low : high + 1], felt - low, member.law.zone_ends[felt], *parts, *ends
     )
 
 
@@ -89,39 +111,68 @@ class _Block:
     """The nodes of one surface of one strip: s (n,), its cell, and per edge the place on the axis
     it is taken at and its relief (n, 2)."""
 
-    def __init__(self, member: Member, mitres: _Mitres, mine, ends, low: int, start, end):
+    def __init__(self, member: Member, mitres: _Mitres, mine, ends, cells, start, end):
+        starts = [cell.start for cell in member.law.cells]
+        self.boundaries = tuple(starts[k + 1] for k in mine[0])
         places = mitres.places[mine]
+        before, after = mitres.relief_before[mine], mitres.relief_after[mine]
         middles = 0.5 * (places[:, 0] + places[:, 1])
         edges = np.concatenate([[start], middles, [end]])
-        reach = np.minimum(RELIEF_LENGTH, 0.45 * np.diff(edges))
         count = len(middles)
-        fades = [*(edges[1:-1] + reach[1:]), *(edges[1:-1] - reach[:-1])] if count else []
-        fades += [edges[0] + reach[0]] if ends[0].any() else []
-        fades += [edges[-1] - reach[-1]] if ends[1].any() else []
+        self.shifted = bool(count) and bool((places != middles[:, None]).any())
+        # Reliefs fade through the beginnings and ends of chamfers, which have none.
+        firm = member.law.zone_ends[mine[0]] | (before + after).any(axis=1)
+        relieved = np.concatenate([[start], middles[firm], [end]])
+        reach, far = (_reach(one) for one in (edges, relieved))
+        fades = [*(relieved[1:-1] + far[1:]), *(relieved[1:-1] - far[:-1])]
+        if self.shifted and not firm.all():
+            fades += [*(edges[1:-1] + reach[1:]), *(edges[1:-1] - reach[:-1])]
+            fades = _apart(fades)
+        fades += [start + far[0]] if ends[0].any() else []
+        fades += [end - far[-1]] if ends[1].any() else []
         breaks = member.smooth_breaks(edges, fades)
         nodes = span_nodes(breaks)
         owner = np.searchsorted(edges, 0.5 * (breaks[1:] + breaks[:-1]), side="right") - 1
         self.edges, self.breaks, self.shape = edges, breaks, nodes.shape
         self.s = nodes.ravel()
         owner = np.repeat(owner, nodes.shape[1])
-        self.cell = low + owner
-        self.shifted = bool(count) and bool((places != middles[:, None]).any())
+        self.cell = cells[owner]
         self.place = self.relief = None
         if not (count or ends[0].any() or ends[1].any()):
             return
-        fade_start = (1.0 - (self.s - edges[owner]) / reach[owner]).clip(0.0) ** 3
-        fade_end = (1.0 - (edges[owner + 1] - self.s) / reach[owner]).clip(0.0) ** 3
-        nothing = np.zeros((1, 2))
-
-        def faded(at_start, at_end, first=nothing, last=nothing):
-            at_start = np.concatenate([first, at_start])[owner]
-            at_end = np.concatenate([at_end, last])[owner]
-            return at_start * fade_start[:, None] + at_end * fade_end[:, None]
-
         if self.shifted:
+            nothing = np.zeros((1, 2))
             shift = places - middles[:, None]
-            self.place = self.s[:, None] + faded(shift, shift)
-        self.relief = faded(mitres.relief_after[mine], mitres.relief_before[mine], *ends)
+            self.place = self.s[:, None] + _faded(
+                self.s, owner, edges, reach, [nothing, shift], [shift, nothing]
+            )
+        if not firm.all():
+            owner = np.searchsorted(relieved, 0.5 * (breaks[1:] + breaks[:-1]), side="right") - 1
+            owner = np.repeat(owner, nodes.shape[1])
+        self.relief = _faded(
+            self.s, owner, relieved, far, [ends[0], after[firm]], [before[firm], ends[1]]
+        )
+
+
+def _apart(places: Sequence[float]) -> list[float]:
+    """The places without those a hair behind another."""
+    rising = np.unique(places)
+    gap = np.diff(rising, prepend=-np.inf)
+    return rising[gap > tolerances.STATION_AT_PLATE_END].tolist()
+
+
+def _reach(edges: np.ndarray) -> np.ndarray:
+    """Length over which what a mitre asks for fades out of each stretch between edges."""
+    return np.minimum(RELIEF_LENGTH, 0.45 * np.diff(edges))
+
+
+def _faded(s, owner, edges, reach, at_start, at_end) -> np.ndarray:
+    """Values (n, 2) at s (n,) in stretches `owner`: those at the start and the end of each
+    stretch, in two parts to be joined, fading out within its reach."""
+    from_start = (1.0 - (s - edges[owner]) / reach[owner]).clip(0.0) ** 3
+    from_end = (1.0 - (edges[owner + 1] - s) / reach[owner]).clip(0.0) ** 3
+    start, end = np.concatenate(at_start)[owner], np.concatenate(at_end)[owner]
+    return start * from_start[:, None] + end * from_end[:, None]
 
 
 def _end_reliefs(
@@ -134,13 +185,16 @@ def _end_reliefs(
     for side, (place, given) in enumerate(
         ((start, mitres.relief_after), (end, mitres.relief_before))
     ):
-        if place in starts and place not in law.joints:
+        others = {int(k) for k in law.table.neighbour[strip]}
+        if place in starts and any(place not in law.joints_of(k) for k in others):
             reliefs[side] = given[starts.index(place), 0, strip][None]
     return tuple(reliefs)
 
 
 def _evaluated(member: Member, blocks: Sequence[_Block], strips: Sequence[int]) -> list[Piecewise]:
     """The blocks' rails, all in one sweep; three levels per strip."""
+    if not blocks:
+        return []
     law = member.law
     sizes = [len(block.s) for block in blocks]
     cell = np.concatenate([block.cell for block in blocks])
@@ -228,15 +282,31 @@ def _mitres(member: Member) -> _Mitres:
             last = last - miss / rate
             miss = gap(chosen, last)
         place[chosen] = last
-    everything = np.arange(len(fold))
-    before, after = sites(everything, place)
-    own = own_lines(table, after, strip, depth)
-    one, _ = limits(table, before, strip, edge)
-    two, into = limits(table, after, strip, edge)
-    way = ((crossing(own, two) - crossing(own, one)) * into).sum(axis=1)
+
+    def way(chosen):
+        """How much farther out the limit behind is than the one before."""
+        before, after = sites(chosen, place[chosen])
+        own = own_lines(table, after, strip[chosen], depth[chosen])
+        one, _ = limits(table, before, strip[chosen], edge[chosen])
+        two, into = limits(table, after, strip[chosen], edge[chosen])
+        return ((crossing(own, two) - crossing(own, one)) * into).sum(axis=1)
+
     # The side whose limit is the farther out gives way.
+    everything = np.arange(len(fold))
+    behind = way(everything)
+    before = -behind
+    # A neighbour with a joint on the fold ends there, and not at a mitre of its own.
+    other = table.neighbour[strip, edge]
+    ends = thickness[boundary, other] != thickness[boundary + 1, other]
+    ends = np.flatnonzero(ends & (place != fold))
+    if len(ends):
+        mitred, place[ends] = place[ends], fold[ends]
+        at_fold = way(ends)
+        place[ends] = mitred
+        behind[ends] = np.maximum(behind[ends], at_fold)
+        before[ends] = np.maximum(before[ends], -at_fold)
     return _Mitres(
-        place.reshape(shape), way.clip(0.0).reshape(shape), (-way).clip(0.0).reshape(shape)
+        place.reshape(shape), behind.clip(0.0).reshape(shape), before.clip(0.0).reshape(shape)
     )
 
 

@@ -49,3 +49,6 @@ SOLIDS_OVERLAP_VOLUME = 1e-3
 
 LOCKED_IN_TWIST_WIDTH = 0.037
 """Twist rate times width (rad) above which `edges` locks in stress worth a warning."""
+
+MANHOLE_LIGAMENT = 50.0
+"""Least plate left between a manhole and the edge of its diaphragm or end plate."""

@@ -16,7 +16,7 @@ from .skin import SkinPiece, values_and_rates
 from .strips import StripRails
 
 _SPLINE_NODES = np.polynomial.legendre.leggauss(5)
-_EXACT_NODES = np.polynomial.legendre.leggauss(16)
+_EXACT_NODES = np.polynomial.legendre.leggauss(10)
 
 
 def skin_volume(pieces: Sequence[SkinPiece]) -> float:

@@ -4,53 +4,24 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from . import tolerances
 from .cells import Cell, FaceSteps, SectionLaw, powers, shifted
-from .finding import BendTorsionError, Finding, error, note, warning
-from .section import Section, Strip
+from .finding import BendTorsionError, note, warning
+from .piecewise import Piecewise
+from .section import Section
+from .segment import Segment, overlap_findings, segment_findings
+from .surface_alignment import Lift, lifted, zone_lift
+from .thickness import USUAL_RULES, Span, ThicknessChange, ThicknessRules, thickness_changes
 
-DEFAULT_SLOPE = 2.5
-ALIGNMENTS = (
-    "centre",
-    "top",
-    "bottom",
-    "left",
-    "right",
-    "top-left",
-    "top-right",
-    "bottom-left",
-    "bottom-right",
-)
-ALIGN_TO = ("axis", "previous")
-TRANSITION_LENGTHS = ("face", "total")
-TRANSITIONS = ("linear", "smooth")
+SHORTEST_TRANSITION = 2.0
+"""Length of a linear transition, over the thickest plate, below which its two mitres meet."""
+
 SMOOTH_STEEPEST = 1.5
 """Steepest slope of a smooth transition over its mean slope."""
-
-
-@dataclass(frozen=True)
-class Segment:
-    """One row of the Members sheet: a section from its cut (mm on the axis, or a part of its
-    length when cut_is_ratio) onwards.
-
-    slope: length of the transition before it per millimetre of step, 0 for a step. align,
-    align_to: position of the section on the axis or on the previous segment as placed.
-    transition: `linear`, with a fold at each end, or `smooth` (3x² − 2x³), without folds.
-    """
-
-    section: Section
-    cut: float = 0.0
-    slope: float = DEFAULT_SLOPE
-    align: str = "centre"
-    align_to: str = "axis"
-    offset_y: float = 0.0
-    offset_z: float = 0.0
-    cut_is_ratio: bool = False
-    transition: str = "linear"
 
 
 def section_law(
@@ -60,185 +31,158 @@ def section_law(
     offset_y: float = 0.0,
     offset_z: float = 0.0,
     transition_length: str = "face",
+    lifts: Sequence[Piecewise | None] = (),
+    closed: bool = False,
+    rules: ThicknessRules = USUAL_RULES,
 ) -> SectionLaw:
     """The section law of a member of axis length `length`.
 
     The cut of segment k + 1 starts transition b-k, which reaches L' = slope · d into it, d the
     largest face-to-face step after alignment (`face`) or the larger change of h and b (`total`,
     the paper's). Sizes, gaps and offsets vary linearly in arc length (paper Eq. 4), or smoothly
-    over the same length. Thicknesses change at a transition's end on the thinner side. offset_y,
-    offset_z: of the whole member. Raises BendTorsionError for a change of type or strips, cuts
-    out of order or beyond the axis, and transitions that overlap or run past the end.
+    over the same length. Thicknesses change beside a transition's end on the thinner side
+    (`thickness_changes`). offset_y, offset_z: of the whole member. lifts: of the segments, as
+    `surface_lifts` gives them.
+
+    closed: the axis is a ring. The cut of segment 1 starts the transition from the last segment
+    to the first, which may run through the seam s = 0; without a cut it ends at the seam.
+
+    Raises BendTorsionError for a change of type or strips, cuts out of order or beyond the axis,
+    transitions that overlap or run past the end, and as thickness_changes does.
     """
+    axis = Span(length, closed)
     segments = [
         replace(segment, cut=segment.cut * length, cut_is_ratio=False)
         if segment.cut_is_ratio
         else segment
         for segment in segments
     ]
-    findings = _segment_findings(member, segments, length)
+    lifts = tuple(lifts or (None,) * len(segments))
+    findings = segment_findings(member, segments, axis)
     if findings:
         raise BendTorsionError(findings)
     centres = _placed(segments, offset_y, offset_z)
+    if closed and len(segments) > 1:
+        cut = segments[0].cut or _closing_cut(segments, centres, lifts, length, transition_length)
+        cut += length if cut <= segments[-1].cut else 0.0
+        segments = [*segments, replace(segments[0], cut=cut)]
+        centres, lifts = [*centres, centres[0]], (*lifts, lifts[0])
     placed = [
         np.asarray(segment.section.corners) + centre
         for segment, centre in zip(segments, centres, strict=True)
     ]
-    steps = [
-        _face_steps(segments[k], centres[k], segments[k + 1], centres[k + 1])
-        for k in range(len(segments) - 1)
+    steps = _all_steps(segments, centres, lifts, length)
+    ends = [
+        later.cut + _reach(before, later, step, transition_length)
+        for before, later, step in zip(segments[:-1], segments[1:], steps, strict=True)
     ]
-    ends = []
-    for k, step in enumerate(steps):
-        later = segments[k + 1]
-        size = step.largest
-        if transition_length == "total":
-            before, after = segments[k].section, later.section
-            size = max(abs(after.h - before.h), abs(after.b - before.b)) or size
-        reach = later.slope * size if step.largest > tolerances.FACES_FLUSH else 0.0
-        ends.append(later.cut + reach)
-    findings = _overlaps(member, segments, ends, length)
+    findings = overlap_findings(member, segments, ends, axis)
     if findings:
         raise BendTorsionError(findings)
 
-    changes = _thickness_changes(segments, ends)
-    zones = _zones(segments, placed, ends, length)
-    cells = tuple(_cells(segments, zones, changes))
-    joints = {place for place, _, _ in changes}
-    warnings = [
-        warning(
-            "thickness-joints-not-staggered",
-            member,
-            "all faces change thickness in one section plane",
-            "stagger the joints of the faces by hand where the rules ask for it",
-            position=f"s = {place:.0f} mm",
-        )
-        for place in sorted(joints)
+    stepped = [
+        end == later.cut and step.largest > tolerances.FACES_FLUSH
+        for end, later, step in zip(ends, segments[1:], steps, strict=True)
     ]
-    warnings += [
+    abrupt = [
+        end == segments[k + 1].cut
+        and (
+            stepped[k]
+            or not np.allclose(_gaps(segments[k].section), _gaps(segments[k + 1].section))
+        )
+        for k, end in enumerate(ends)
+    ]
+    changes, warnings = thickness_changes(member, segments, ends, stepped, abrupt, axis, rules)
+    zones = _zones(segments, placed, ends, axis)
+    cells = tuple(
+        replace(cell, lift=_lift_of(cell, segments, ends, lifts, length)) if any(lifts) else cell
+        for cell in _cells(segments, zones, changes, axis)
+    )
+    smooth = [
         note(
             "smooth-transition-steeper",
             member,
             f"transition b-{k} is steepest in its middle",
             f"set its slope to {SMOOTH_STEEPEST * later.slope:g} for 1:{later.slope:g} there",
-            position=f"segment {k + 1}",
+            position=f"segment {axis.row(k, segments)}",
             value=f"1:{later.slope / SMOOTH_STEEPEST:.3g}",
             limit=f"1:{later.slope:g}",
         )
         for k, later in enumerate(segments[1:], start=1)
         if later.transition == "smooth" and ends[k - 1] > later.cut
     ]
-    for k, step in enumerate(steps):
-        gaps_differ = not np.allclose(_gaps(segments[k].section), _gaps(segments[k + 1].section))
-        abrupt = ends[k] == segments[k + 1].cut
-        if abrupt and (step.largest > tolerances.FACES_FLUSH or gaps_differ):
-            joints.add(segments[k + 1].cut)
+    thickest = max(strip.thickness for one in segments for strip in one.section.strips)
+    short = [
+        warning(
+            "transition-short",
+            member,
+            f"transition b-{k} is too short for the mitres of its plates at both its ends",
+            "use a greater slope, or slope 0 for a step",
+            position=f"segment {axis.row(k, segments)}",
+            value=float(ends[k - 1] - later.cut),
+            limit=float(SHORTEST_TRANSITION * thickest),
+            unit="mm",
+        )
+        for k, later in enumerate(segments[1:], start=1)
+        if 0.0 < ends[k - 1] - later.cut < SHORTEST_TRANSITION * thickest
+        and later.transition == "linear"
+    ]
+    joints = {segments[k + 1].cut for k, every_face in enumerate(abrupt) if every_face}
+    if closed:
+        joints = {place % length for place in joints} - {0.0}
     folds = [
         cell.start
         for before, cell in zip(cells[:-1], cells[1:], strict=True)
         if _slopes_differ(before, cell)
     ]
+    sections = segments[:-1] if len(centres) > 1 and closed else segments
     return SectionLaw(
-        tuple(segment.section for segment in segments),
+        tuple(segment.section for segment in sections),
         cells,
         tuple(sorted(joints)),
         tuple(folds),
         tuple(steps),
-        tuple(warnings),
+        (*warnings, *short, *smooth),
+        changes,
     )
 
 
-def _segment_findings(member: str, segments: Sequence[Segment], length: float) -> list[Finding]:
-    findings = []
-    first_type = segments[0].section.type
-    first_strips = [_pattern(strip) for strip in segments[0].section.strips]
-    previous_cut = 0.0
-    for number, segment in enumerate(segments, start=1):
-        place = f"segment {number}"
-        if segment.section.type != first_type:
-            findings.append(
-                error(
-                    "type-change",
-                    member,
-                    "section type changes within the member",
-                    f"use sections of type {first_type}, or start another member",
-                    position=place,
-                    value=segment.section.type,
-                    limit=first_type,
-                )
-            )
-        elif [_pattern(s) for s in segment.section.strips] != first_strips:
-            findings.append(
-                error(
-                    "strips-change",
-                    member,
-                    "the strips of the section change within the member",
-                    "use sections with the same strips, or start another member",
-                    position=place,
-                    value=len(segment.section.strips),
-                    limit=len(first_strips),
-                )
-            )
-        if segment.transition not in TRANSITIONS:
-            findings.append(
-                error(
-                    "transition-kind",
-                    member,
-                    f"transition {segment.transition!r} is not known",
-                    f"use {' or '.join(TRANSITIONS)}",
-                    position=place,
-                )
-            )
-        if segment.align not in ALIGNMENTS or segment.align_to not in ALIGN_TO:
-            findings.append(
-                error(
-                    "alignment",
-                    member,
-                    f"alignment {segment.align!r} to {segment.align_to!r} is not known",
-                    f"use one of {', '.join(ALIGNMENTS)} to {' or '.join(ALIGN_TO)}",
-                    position=place,
-                )
-            )
-        if not (np.isfinite(segment.slope) and segment.slope >= 0):
-            findings.append(
-                error(
-                    "slope",
-                    member,
-                    "slope must be zero (a step) or positive",
-                    f"use {DEFAULT_SLOPE}",
-                    position=place,
-                    value=float(segment.slope),
-                    limit=0.0,
-                )
-            )
-        if number == 1:
-            continue
-        if not previous_cut < segment.cut < length:
-            beyond = segment.cut >= length
-            findings.append(
-                error(
-                    "cut-beyond-axis" if beyond else "cut-order",
-                    member,
-                    "cut lies beyond the end of the axis"
-                    if beyond
-                    else "cut does not lie after the cut before it",
-                    "move the cut",
-                    position=place,
-                    value=float(segment.cut),
-                    limit=float(length if beyond else previous_cut),
-                    unit="mm",
-                )
-            )
-        previous_cut = segment.cut
-    return findings
-
-
-def _pattern(strip: Strip) -> tuple:
-    """What of a strip must not change along a member."""
-    stops = [
-        stop and (stop.face, stop.at) for stop in (strip.stops_at_first, strip.stops_at_second)
+def _all_steps(segments, centres, lifts, length: float) -> list[FaceSteps]:
+    return [
+        _face_steps(
+            segments[k],
+            lifted(centres[k], lifts[k], segments[k + 1].cut % length),
+            segments[k + 1],
+            lifted(centres[k + 1], lifts[k + 1], segments[k + 1].cut % length),
+        )
+        for k in range(len(segments) - 1)
     ]
-    return strip.face, strip.letter, strip.first, strip.second, strip.inward, strip.line, *stops
+
+
+def _reach(before: Segment, after: Segment, step: FaceSteps, transition_length: str) -> float:
+    """Length of the transition between two segments."""
+    if step.largest <= tolerances.FACES_FLUSH:
+        return 0.0
+    size = step.largest
+    if transition_length == "total":
+        one, two = before.section, after.section
+        size = max(abs(two.h - one.h), abs(two.b - one.b)) or size
+    return after.slope * size
+
+
+def _closing_cut(segments, centres, lifts, length: float, transition_length: str) -> float:
+    """Where the transition from the last segment to the first starts to end at the seam."""
+    last, first = segments[-1], replace(segments[0], cut=length)
+    [step] = _all_steps([last, first], [centres[-1], centres[0]], [lifts[-1], lifts[0]], length)
+    return length - _reach(last, first, step, transition_length)
+
+
+def _lift_of(cell: Cell, segments, ends, lifts, length: float) -> Lift | None:
+    """The lift of a cell; of a transition through the seam, behind the seam too."""
+    lift = zone_lift(cell.label, segments, ends, lifts)
+    if lift is not None and cell.is_transition and lift.start > cell.end:
+        return replace(lift, start=lift.start - length, end=lift.end - length)
+    return lift
 
 
 def _placed(segments: Sequence[Segment], offset_y: float, offset_z: float) -> list[np.ndarray]:
@@ -273,30 +217,6 @@ def _face_steps(
     return FaceSteps(dz + half_h, dz - half_h, dy + half_b, dy - half_b)
 
 
-def _overlaps(
-    member: str, segments: Sequence[Segment], ends: Sequence[float], length: float
-) -> list[Finding]:
-    limits = [segment.cut for segment in segments[2:]] + [length]
-    findings = []
-    for k, (end, limit) in enumerate(zip(ends, limits, strict=False), start=1):
-        if end > limit - tolerances.SAME_STATION and end > segments[k].cut:
-            last = k == len(segments) - 1
-            findings.append(
-                error(
-                    "transition-past-end" if last else "transitions-overlap",
-                    member,
-                    f"transition b-{k} runs past "
-                    + ("the end of the axis" if last else f"the cut of segment {k + 2}"),
-                    f"move the cut back by {end - limit:.1f} mm or more, or use a smaller slope",
-                    position=f"segment {k + 1}",
-                    value=float(end),
-                    limit=float(limit),
-                    unit="mm",
-                )
-            )
-    return findings
-
-
 def _gaps(section: Section) -> np.ndarray:
     """Root gaps (strips, 2) of a section at the first and second ends."""
     return np.array(
@@ -307,66 +227,64 @@ def _gaps(section: Section) -> np.ndarray:
     )
 
 
-def _thickness_changes(
-    segments: Sequence[Segment], ends: Sequence[float]
-) -> list[tuple[float, int, int]]:
-    """(place, strip, later segment) of each change of thickness or material."""
-    changes = []
-    for k, end in enumerate(ends):
-        before, after = segments[k].section, segments[k + 1].section
-        for j, (old, new) in enumerate(zip(before.strips, after.strips, strict=True)):
-            if old.thickness != new.thickness or before.material != after.material:
-                place = end if old.thickness > new.thickness else segments[k + 1].cut
-                changes.append((place, j, k + 1))
-    return changes
-
-
 def _zones(
-    segments: Sequence[Segment],
-    placed: Sequence[np.ndarray],
-    ends: Sequence[float],
-    length: float,
+    segments: Sequence[Segment], placed: Sequence[np.ndarray], ends: Sequence[float], axis: Span
 ) -> list[tuple]:
-    """(label, start, end, corners and gaps as powers of arc length) of the zones along the axis."""
-    zones = []
-    start = 0.0
+    """(label, start, end, corners and gaps as powers of arc length) of the zones along the axis;
+    what runs past the seam of a closed axis comes first."""
+    ring = axis.closed and len(segments) > 1
+    spans = []
+    start = max(0.0, ends[-1] - axis.length) if ring else 0.0
     for k, segment in enumerate(segments):
         if k:
             if ends[k - 1] > segment.cut:
-                zones.append((f"b-{k}", segment.cut, ends[k - 1], k - 1, k))
+                spans.append((f"b-{k}", segment.cut, ends[k - 1], k - 1, k))
             start = ends[k - 1]
-        end = segments[k + 1].cut if k + 1 < len(segments) else length
-        zones.append((f"d-{k + 1}", start, end, k, k))
-    return [
-        (
-            label,
-            a,
-            b,
-            powers(placed[i], placed[j], b - a, i != j and segments[j].transition == "smooth"),
-            powers(
-                _gaps(segments[i].section),
-                _gaps(segments[j].section),
-                b - a,
-                i != j and segments[j].transition == "smooth",
-            ),
-        )
-        for label, a, b, i, j in zones
-    ]
+        end = segments[k + 1].cut if k + 1 < len(segments) else axis.length
+        if start < end - tolerances.SAME_STATION or not ring:
+            spans.append((f"d-{axis.row(k, segments)}", start, end, k, k))
+    zones = []
+    for label, a, b, i, j in spans:
+        smooth = i != j and segments[j].transition == "smooth"
+        laws = [
+            powers(first, last, b - a, smooth)
+            for first, last in (
+                (placed[i], placed[j]),
+                (_gaps(segments[i].section), _gaps(segments[j].section)),
+            )
+        ]
+        seam = axis.length
+        if not ring or b <= seam + tolerances.SAME_STATION:
+            zones.append((label, a, min(b, seam), *laws))
+        elif a >= seam - tolerances.SAME_STATION:
+            zones.append((label, max(0.0, a - seam), b - seam, *laws))
+        else:
+            zones.append((label, a, seam, *laws))
+            behind = [_beyond(law, seam - a) for law in laws]
+            zones.append((label, 0.0, b - seam, *behind))
+    return sorted(zones, key=lambda zone: zone[1])
 
 
-def _cells(segments: Sequence[Segment], zones: list, changes: list[tuple[float, int, int]]):
-    """The zones, cut where a thickness changes inside one."""
-    first = segments[0].section
+def _beyond(law: list[np.ndarray], d: float) -> list[np.ndarray]:
+    """Coefficients of powers about a point d farther on."""
+    value, rate, bends = shifted(law, d)
+    return [value, rate, *(() if bends is None else bends)]
+
+
+def _cells(
+    segments: Sequence[Segment],
+    zones: list,
+    changes: Sequence[ThicknessChange],
+    axis: Span,
+):
+    """The zones, cut where a thickness changes or a chamfer begins or ends inside one."""
+    same = tolerances.SAME_STATION
+    breaks = sorted({p for change in changes for p in (change.place, *change.chamfer)})
+    strips = range(len(segments[0].section.strips))
     for label, start, end, corner_powers, gap_powers in zones:
-        inner = {place for place, _, _ in changes if start < place < end}
-        edges = [start, *sorted(inner), end]
+        edges = [start, *(p for p in breaks if start + same < p < end - same), end]
         for a, b in zip(edges[:-1], edges[1:], strict=True):
-            thickness = np.array([strip.thickness for strip in first.strips])
-            materials = [first.material] * len(first.strips)
-            for place, j, k in changes:
-                if place <= a:
-                    thickness[j] = segments[k].section.strips[j].thickness
-                    materials[j] = segments[k].section.material
+            rows = [_segment_at(changes, j, a + same, axis) for j in strips]
             corners, corner_rates, corner_bends = shifted(corner_powers, a - start)
             gaps, gap_rates, gap_bends = shifted(gap_powers, a - start)
             yield Cell(
@@ -377,12 +295,40 @@ def _cells(segments: Sequence[Segment], zones: list, changes: list[tuple[float, 
                 corner_rates,
                 gaps,
                 gap_rates,
-                thickness,
-                tuple(materials),
+                np.array([segments[k].section.strips[j].thickness for j, k in enumerate(rows)]),
+                tuple(segments[k].section.material for k in rows),
                 corner_bends,
                 gap_bends,
+                chamfer=_chamfer(changes, len(strips), a, b),
             )
 
 
+def _segment_at(changes: Sequence[ThicknessChange], strip: int, s: float, axis: Span) -> int:
+    """The segment whose thickness a strip has at a place; changes in order of place."""
+    own = [change for change in changes if change.strip == strip]
+    before = [change for change in own if change.place <= s]
+    if before:
+        return before[-1].segment
+    return own[-1].segment if own and axis.closed else 0
+
+
+def _chamfer(
+    changes: Sequence[ThicknessChange], count: int, start: float, end: float
+) -> np.ndarray | None:
+    """Depths and rates (2, count) of the chamfers over a stretch without breaks, or None."""
+    middle = 0.5 * (start + end)
+    chamfer = None
+    for change in changes:
+        if change.chamfer and change.chamfer[0] < middle < change.chamfer[1]:
+            chamfer = np.zeros((2, count)) if chamfer is None else chamfer
+            at = change.depth_at(start)
+            chamfer[:, change.strip] = at, (change.depth_at(end) - at) / (end - start)
+    return chamfer
+
+
 def _slopes_differ(before: Cell, after: Cell) -> bool:
-    return bool(np.abs(before.end_rates - after.corner_rates).max() > 1e-12)
+    change = after.corner_rates - before.end_rates
+    for cell, sign in ((before, -1.0), (after, 1.0)):
+        if cell.lift is not None:
+            change = change + [0.0, sign * cell.lift.at([after.start])[1][0]]
+    return bool(np.abs(change).max() > 1e-12)

@@ -33,6 +33,15 @@ def dxf_axis(path: str | Path, name: str = "") -> AxisSource:
     return source
 
 
+def dxf_unit(path: str | Path) -> float | None:
+    """mm in the unit a DXF file declares; None when it tells none or cannot be read."""
+    try:
+        code = ezdxf.readfile(path).header.get("$INSUNITS", 0)
+    except (OSError, DXFError):
+        return None
+    return UNITS.get(code) if code else None
+
+
 def dxf_axes(path: str | Path) -> dict[str, AxisSource]:
     """All sources of a DXF file: by layer, then by handle of each entity."""
     path = Path(path)

@@ -14,8 +14,23 @@ from ezdxf.document import Drawing
 from ezdxf.lldxf.validator import is_valid_layer_name
 
 from ..core.arc_fit import FIT_TOLERANCE, fit_outline
+from ..core.cut_contour import cut_contour
 from ..core.finding import BendTorsionError, error
+from ..core.forming import fold_direction
+from ..core.gross import marked_ends
+from ..core.inner_contours import text_field
 from ..core.lofting import DevelopedPlate, FoldLine
+from .collection import without_collection
+from .dxf_bevels import add_bevel_texts
+from .dxf_inner import add_face_marks, add_holes, add_level_text, clear_fields
+from .dxf_text import (
+    CHARACTER_WIDTH,
+    SMALLEST_TEXT,
+    add_line_text,
+    add_text,
+    figure,
+    place,
+)
 from .whole_file import write_whole
 
 CUT_OUTER = "CUT_OUTER"
@@ -23,6 +38,7 @@ CUT_INNER = "CUT_INNER"
 MARK_LINE = "MARK_LINE"
 MARK_ROLL = "MARK_ROLL"
 MARK_FOLD = "MARK_FOLD"
+MARK_BEVEL = "MARK_BEVEL"
 MARK_TEXT = "MARK_TEXT"
 PUNCH = "PUNCH"
 REF = "REF"
@@ -32,8 +48,9 @@ _LAYERS = {
     CUT_OUTER: (7, "Continuous", "outer contour, one closed polyline, counter-clockwise"),
     CUT_INNER: (1, "Continuous", "inner contours, closed polylines"),
     MARK_LINE: (3, "Continuous", "measuring lines at member stations"),
-    MARK_ROLL: (4, "Continuous", "rolling lines"),
+    MARK_ROLL: (4, "Continuous", "roll lines with their radii"),
     MARK_FOLD: (6, "DASHED", "fold lines with their angles"),
+    MARK_BEVEL: (30, "Continuous", "bevels of the edges, a text for each stretch"),
     MARK_TEXT: (2, "Continuous", "marks, labels, direction of the member"),
     PUNCH: (5, "Continuous", "witness points to punch"),
     REF: (8, "Continuous", "for information: points on the contour"),
@@ -48,11 +65,8 @@ MARK_GAP = 5.0
 TEXT_HEIGHT = 25.0
 """mm; height of marking text where the plate leaves room for it."""
 
-_SMALLEST_TEXT = 2.5  # mm; below this no plotter marks legibly
-_CHARACTER_WIDTH = 1.0  # width over height of a letter, on the safe side
 _LINE_PITCH = 1.6  # distance of text lines over their height
 _SAME_PLACE = 0.01  # mm; lines and points closer than this are one
-_DECIMALS = 6  # of coordinates, mm
 _DASHED = [18.0, 12.0, -6.0]  # mm: pattern length, dash, gap
 
 
@@ -79,23 +93,45 @@ def plate_dxf(
 ) -> bytes:
     """The DXF file of `write_plate_dxf` as bytes."""
     names = _layer_names(layers)
+    plate = cut_contour(plate).plate
     outline = fit_outline(plate.outline, tolerance, plate.mark)
-    document = _new_document(names, outline[:, :2])
-    space = document.modelspace()
+    with without_collection():
+        document = new_document(names, outline[:, :2])
+        draw_plate(document.modelspace(), plate, outline, names, tolerance)
+        return document_bytes(document)
+
+
+def draw_plate(
+    space,
+    plate: DevelopedPlate,
+    outline: np.ndarray,
+    names: Mapping[str, str] = LAYERS,
+    tolerance: float = FIT_TOLERANCE,
+) -> None:
+    """Draw a plate as it is cut, its outline fitted by arcs (m, 3), into a layout or a block."""
     # Rounding to 1e-6 mm keeps last-bit differences between machines out of the file.
     space.add_lwpolyline(
-        [(_figure(x), _figure(y), round(float(b), 12) + 0.0) for x, y, b in outline],
+        [(figure(x), figure(y), round(float(b), 12) + 0.0) for x, y, b in outline],
         format="xyb",
         close=True,
         dxfattribs={"layer": names[CUT_OUTER]},
     )
-    panels = _panels(plate)
+    panels = clear_fields(plate, _panels(plate))
     height = _text_height(plate, panels)
     _add_lines(space, plate, names, height)
+    _add_roll_lines(space, plate, names, height)
     _add_points(space, plate, names)
+    add_bevel_texts(space, plate, names[MARK_BEVEL], _centre(plate), height)
+    add_holes(space, plate, names[CUT_INNER], tolerance)
+    layers = names[MARK_LINE], names[MARK_TEXT], names[PUNCH]
+    add_face_marks(space, plate, layers, _centre(plate), height, tolerance)
     if panels:
         _add_marks(space, plate, panels, names, height)
-    return _bytes(document)
+    else:
+        field, rows = text_field(plate), _identity(plate)
+        level = round(max(SMALLEST_TEXT, _text_fit(field, rows)[0]), 1)
+        middle = 0.5 * (field[0].mean(axis=0) + field[1].mean(axis=0))
+        add_level_text(space, rows, middle, level, _LINE_PITCH, names[MARK_TEXT])
 
 
 def _layer_names(layers: Mapping[str, str]) -> dict[str, str]:
@@ -116,7 +152,8 @@ def _layer_names(layers: Mapping[str, str]) -> dict[str, str]:
     return names
 
 
-def _new_document(names: Mapping[str, str], corners: np.ndarray) -> Drawing:
+def new_document(names: Mapping[str, str], corners: np.ndarray) -> Drawing:
+    """A document with our layers and units, showing all corners (n, 2)."""
     document = ezdxf.new("R2010")
     header = document.header
     header["$INSUNITS"] = 4
@@ -130,17 +167,17 @@ def _new_document(names: Mapping[str, str], corners: np.ndarray) -> Drawing:
         layer.description = description
     low, high = corners.min(axis=0), corners.max(axis=0)
     space = document.modelspace()
-    space.dxf.extmin = (_figure(low[0]), _figure(low[1]), 0.0)
-    space.dxf.extmax = (_figure(high[0]), _figure(high[1]), 0.0)
-    space.dxf.limmin, space.dxf.limmax = _place(low), _place(high)
+    space.dxf.extmin = (figure(low[0]), figure(low[1]), 0.0)
+    space.dxf.extmax = (figure(high[0]), figure(high[1]), 0.0)
+    space.dxf.limmin, space.dxf.limmax = place(low), place(high)
     document.set_modelspace_vport(
         1.1 * max(float(high[1] - low[1]), float(high[0] - low[0]) / 2.0, 1.0),
-        tuple(_figure(value) for value in (low + high) / 2.0),
+        tuple(figure(value) for value in (low + high) / 2.0),
     )
     return document
 
 
-def _bytes(document: Drawing) -> bytes:
+def document_bytes(document: Drawing) -> bytes:
     """The document's text without time stamps and unique identifiers."""
     document.ezdxf_metadata()["CREATED_BY_EZDXF"] = ezdxf.__version__
     # ezdxf declares the types in use in the order of a set, another one in every process.
@@ -156,9 +193,14 @@ def _bytes(document: Drawing) -> bytes:
     return document.encode(stream.getvalue())
 
 
+def _on_contour(plate: DevelopedPlate, line: str) -> bool:
+    """Whether a line is an end line without green beyond it."""
+    return line.startswith("E-") and line not in marked_ends(plate)
+
+
 def _add_lines(space, plate: DevelopedPlate, names: Mapping[str, str], height: float) -> None:
-    ends = [line for line in plate.lines if line.label.startswith("E-")]
-    stations = [line for line in plate.lines if not line.label.startswith("E-")]
+    ends = [line for line in plate.lines if _on_contour(plate, line.label)]
+    stations = [line for line in plate.lines if not _on_contour(plate, line.label)]
     # In the order of precedence: what lies on the contour or on a fold is not drawn again.
     marks = [*ends, *plate.folds, *stations]
     flats = np.array([mark.flat for mark in marks]).reshape(-1, 2, 2)
@@ -170,12 +212,27 @@ def _add_lines(space, plate: DevelopedPlate, names: Mapping[str, str], height: f
         is_fold = isinstance(mark, FoldLine)
         attributes = {"layer": names[MARK_FOLD if is_fold else MARK_LINE]}
         a, b = _shortened(mark.flat)
-        space.add_line(_place(a), _place(b), dxfattribs=attributes)
+        space.add_line(place(a), place(b), dxfattribs=attributes)
         if is_fold:
-            way = "convex" if mark.angle >= 0.0 else "concave"
-            text = f"{mark.label} {abs(math.degrees(mark.angle)):.1f} deg outside {way}"
+            way = fold_direction(mark.angle, plate.marking_face)
+            text = f"{mark.label} {abs(math.degrees(mark.angle)):.1f} deg {way}"
             middle = 0.5 * (mark.flat[0] + mark.flat[1])
-            _add_line_text(space, text, middle, mark.flat[1], centre, height, attributes)
+            add_line_text(space, text, middle, mark.flat[1], centre, height, attributes)
+
+
+def _add_roll_lines(
+    space, plate: DevelopedPlate, names: Mapping[str, str], height: float
+) -> None:
+    """Roll lines with their radii; text is half the height of other marks."""
+    rolls = () if plate.forming_data is None else plate.forming_data.roll_lines
+    attributes, centre = {"layer": names[MARK_ROLL]}, _centre(plate)
+    for roll in rolls:
+        a, b = _shortened(roll.flat)
+        space.add_line(place(a), place(b), dxfattribs=attributes)
+        middle = 0.5 * (roll.flat[0] + roll.flat[1])
+        add_line_text(
+            space, roll.text(), middle, roll.flat[1], centre, 0.5 * height, attributes
+        )
 
 
 def _add_points(space, plate: DevelopedPlate, names: Mapping[str, str]) -> None:
@@ -184,11 +241,11 @@ def _add_points(space, plate: DevelopedPlate, names: Mapping[str, str]) -> None:
             point.flat
             for point in plate.points
             # Witness points of the end lines lie on the contour: nothing to punch.
-            if point.kind == kind and not (kind == "witness" and point.line.startswith("E"))
+            if point.kind == kind and not (kind == "witness" and _on_contour(plate, point.line))
         ]
         flats = np.array(points).reshape(-1, 2)
         for flat in flats[_first_of_their_place(flats)]:
-            space.add_point(_place(flat), dxfattribs={"layer": names[layer]})
+            space.add_point(place(flat), dxfattribs={"layer": names[layer]})
 
 
 def _add_marks(
@@ -212,11 +269,11 @@ def _add_marks(
         reading = -reading
     up = np.array([-reading[1], reading[0]])
     pitch = _LINE_PITCH * height
-    half = 0.5 * max(map(len, rows)) * _CHARACTER_WIDTH * height
+    half = 0.5 * max(map(len, rows)) * CHARACTER_WIDTH * height
     for row, text in enumerate(rows):
         rise = (0.5 * len(rows) - row) * pitch
         corner = middle + rise * up - half * reading - 0.5 * height * up
-        _add_text(space, text, corner, reading, height, attributes)
+        add_text(space, text, corner, reading, height, attributes)
     # The arrow takes the row below the text, and its name stands after it.
     level = middle - 0.5 * len(rows) * pitch * up
     reach = 2.0 * height if reads_along else 0.6 * height
@@ -228,28 +285,31 @@ def _add_marks(
         (tip, tip - barb + side),
         (tip, tip - barb - side),
     ):
-        space.add_line(_place(a), _place(b), dxfattribs=attributes)
+        space.add_line(place(a), place(b), dxfattribs=attributes)
     corner = level + (2.6 if reads_along else 0.8) * height * reading - 0.5 * height * up
-    _add_text(space, "+s", corner, reading, height, attributes)
+    add_text(space, "+s", corner, reading, height, attributes)
     folds = {fold.label for fold in plate.folds}  # these carry their own text
     centre = _centre(plate)
     for line in plate.lines:
-        if line.label.startswith("E-") or line.label in folds:
+        if _on_contour(plate, line.label) or line.label in folds:
             continue
         first, second = line.flat
         fifth = first + 0.2 * (second - first)
-        _add_line_text(space, line.label, fifth, second, centre, height, attributes)
+        add_line_text(space, line.label, fifth, second, centre, height, attributes)
+
+
+
 
 
 def _identity(plate: DevelopedPlate) -> tuple[str, ...]:
     up = plate.marking_face.upper()
-    down = "OUTSIDE" if up == "INSIDE" else "INSIDE"
+    down = {"INSIDE": "OUTSIDE", "OUTSIDE": "INSIDE"}.get(up, "-S")
     return (
         plate.mark,
         f"{plate.member} {plate.face} {plate.piece}",
         f"t{plate.thickness:g} {plate.material}",
         f"marking face {up}",
-        f"{down} below",
+        f"{down} below, contour {plate.contour.upper()}",
     )
 
 
@@ -286,15 +346,15 @@ def _text_panel(panels: list[tuple[np.ndarray, np.ndarray]]) -> tuple[np.ndarray
 def _text_height(plate: DevelopedPlate, panels: list[tuple[np.ndarray, np.ndarray]]) -> float:
     """Height at which the identity fits into its field, mm."""
     if not panels:
-        return _SMALLEST_TEXT
+        return SMALLEST_TEXT
     fitting, _ = _text_fit(_text_panel(panels), _identity(plate))
-    return round(max(_SMALLEST_TEXT, fitting), 1)
+    return round(max(SMALLEST_TEXT, fitting), 1)
 
 
 def _text_fit(panel: tuple[np.ndarray, np.ndarray], rows: tuple[str, ...]) -> tuple[float, bool]:
     """Height, mm, at which rows and arrow fit into the field, and whether they read along +s."""
     length, width = _field_size(panel)
-    text_length = max(8, *map(len, rows)) * _CHARACTER_WIDTH
+    text_length = max(8, *map(len, rows)) * CHARACTER_WIDTH
     text_depth = (len(rows) + 1) * _LINE_PITCH
     along = min(TEXT_HEIGHT, 0.8 * length / text_length, 0.6 * width / text_depth)
     across = min(TEXT_HEIGHT, 0.6 * width / text_length, 0.8 * length / text_depth)
@@ -314,49 +374,3 @@ def _shortened(flat: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     length = np.hypot(*across)
     gap = min(MARK_GAP, 0.25 * length) * across / length
     return flat[0] + gap, flat[1] - gap
-
-
-def _add_line_text(
-    space,
-    text: str,
-    start: np.ndarray,
-    end: np.ndarray,
-    centre: np.ndarray,
-    height: float,
-    attributes: dict,
-) -> None:
-    """Text along a line from `start` towards `end`, beside it on the side of the plate's centre."""
-    across = end - start
-    length = np.hypot(*across)
-    fitting = 0.8 * length / (len(text) * _CHARACTER_WIDTH)
-    height = round(max(_SMALLEST_TEXT, min(height, fitting)), 1)
-    along = across / length
-    reading = along if along[1] > 0.0 or (along[1] == 0.0 and along[0] > 0.0) else -along
-    corner = start if reading is along else start + len(text) * _CHARACTER_WIDTH * height * along
-    left = np.array([-reading[1], reading[0]])
-    beside = 0.4 if (centre - start) @ left > -_SAME_PLACE else -1.4
-    _add_text(space, text, corner + beside * height * left, reading, height, attributes)
-
-
-def _add_text(
-    space, text: str, corner: np.ndarray, reading: np.ndarray, height: float, attributes: dict
-) -> None:
-    printable = "".join(character if character.isprintable() else " " for character in text)
-    space.add_text(
-        printable,
-        dxfattribs={
-            **attributes,
-            "height": height,
-            "rotation": round(math.degrees(math.atan2(reading[1], reading[0])), _DECIMALS) + 0.0,
-            "insert": _place(corner),
-        },
-    )
-
-
-def _place(flat: np.ndarray) -> tuple[float, float]:
-    return _figure(flat[0]), _figure(flat[1])
-
-
-def _figure(value: float) -> float:
-    """A coordinate as written; adding zero turns -0.0 into 0.0."""
-    return round(float(value), _DECIMALS) + 0.0

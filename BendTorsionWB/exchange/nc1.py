@@ -8,11 +8,20 @@ on its first point, positive when it turns counter-clockwise.
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
+
 import numpy as np
 
-from ..core.arc_fit import fit_outline
+from ..core.arc_contour import reversed_contour
+from ..core.arc_fit import FIT_TOLERANCE, fit_runs
+from ..core.bevel_record import EdgeBevel
+from ..core.cut_contour import cut_contour
 from ..core.finding import BendTorsionError, error
-from ..core.lofting import DevelopedPlate
+from ..core.forming import fold_direction
+from ..core.gross import marked_ends
+from ..core.inner_contours import hole_contour, line_stroke, text_field
+from ..core.lofting import DevelopedPlate, FlatMark, FoldLine
 
 LONGEST_TEXT = 80
 MARK_GAP = 5.0
@@ -26,8 +35,12 @@ def plate_nc1(plate: DevelopedPlate, order: str = "", drawing: str = "") -> byte
 
     Raises BendTorsionError for a contour that leaves the quadrant its header declares.
     """
-    outline = fit_outline(plate.outline, name=plate.mark)
-    if outline[:, :2].min() < -0.005:
+    cut = cut_contour(plate)
+    plate = cut.plate
+    green = marked_ends(plate)
+    outline, run = fit_runs(plate.outline, name=plate.mark)
+    # A vertex may be off the pattern by the fit's tolerance.
+    if outline[:, :2].min() < -FIT_TOLERANCE:
         raise BendTorsionError(
             error(
                 "nc1-contour",
@@ -40,23 +53,50 @@ def plate_nc1(plate: DevelopedPlate, order: str = "", drawing: str = "") -> byte
             )
         )
     lines = ["ST", *_header(plate, order, drawing)]
-    lines += ["AK", *_contour(outline)]
-    marks = [(line.label, line.flat) for line in plate.lines if line.label.startswith("L")]
-    marks += [(fold.label, fold.flat) for fold in plate.folds]
+    bevels = [_bevel_fields(cut.bevels[k], plate) for k in run]
+    lines += ["AK", *_contour(outline, bevels)]
+    for hole in plate.holes:
+        if hole.circle is None:
+            lines += ["IK", *_contour(reversed_contour(hole_contour(hole)))]
+    marks = [
+        (line.label, line.flat)
+        for line in plate.lines
+        if line.label.startswith("L") or line.label in green
+    ]
+    marks += [(_fold_text(plate, fold), fold.flat) for fold in plate.folds]
+    if plate.forming_data is not None:
+        marks += [(roll.text(), roll.flat) for roll in plate.forming_data.roll_lines]
     for _, flat in marks:
         lines += ["PU", *_polyline(_shortened(flat))]
+    for mark in plate.marks:
+        if mark.kind == "line":
+            lines += ["PU", *_stroke(line_stroke(mark))]
     # Those of the end lines lie on the contour.
-    witnesses = [p for p in plate.points if p.kind == "witness" and not p.line.startswith("E")]
-    if witnesses:
+    witnesses = [
+        p
+        for p in plate.points
+        if p.kind == "witness" and (not p.line.startswith("E") or p.line in green)
+    ]
+    punches = [*(p.flat for p in witnesses), *(m.flat[0] for m in plate.marks if m.kind == "punch")]
+    circles = [hole.circle for hole in plate.holes if hole.circle is not None]
+    if punches or circles:
         lines.append("BO")
-        lines += [f"  v {p.flat[0]:9.2f}m{p.flat[1]:9.2f}{0:9.2f}" for p in witnesses]
+        lines += [f"  v {u:9.2f}u{v:9.2f}{diameter:9.2f}" for u, v, diameter in circles]
+        lines += [f"  v {u:9.2f}m{v:9.2f}{0:9.2f}" for u, v in punches]
     lines.append("SI")
-    centre = np.mean([line.flat.mean(axis=0) for line in plate.lines], axis=0)
+    ends = [line.flat for line in plate.lines] or text_field(plate)
+    centre = np.mean([flat.mean(axis=0) for flat in ends], axis=0)
     lines.append(_text(centre, plate.mark))
     for label, flat in marks:
         lines.append(_text(flat.mean(axis=0), label))
+    lines += [_mark_text(mark) for mark in plate.marks if mark.text]
     lines.append("EN")
     return ("\r\n".join(lines) + "\r\n").encode("ascii")
+
+
+def _fold_text(plate: DevelopedPlate, fold: FoldLine) -> str:
+    way = fold_direction(fold.angle, plate.marking_face)
+    return f"{fold.label} {abs(math.degrees(fold.angle)):.1f} deg {way}"
 
 
 def _header(plate: DevelopedPlate, order: str, drawing: str) -> list[str]:
@@ -81,23 +121,64 @@ def _header(plate: DevelopedPlate, order: str, drawing: str) -> list[str]:
         "2.000",
         *["0.000"] * 4,
     ]
-    return [f"  {_ascii(text)}" for text in [*texts, *numbers, "", "", "", ""]]
+    free = [f"contour {plate.contour}", f"marking face {plate.marking_face}", "", ""]
+    return [f"  {_ascii(text)}" for text in [*texts, *numbers, *free]]
 
 
-def _contour(outline: np.ndarray) -> list[str]:
+SQUARE = (0.0, 0.0, 0.0, 0.0)
+
+
+def _contour(outline: np.ndarray, bevels: Sequence[tuple[float, ...]] = ()) -> list[str]:
+    """Lines of a closed contour; bevels: the four fields of the arc from each vertex on."""
     rows = []
     points = np.maximum(outline[:, :2], 0.0)
     following = np.roll(points, -1, axis=0)
-    for (x, y), bulge, end in zip(points, outline[:, 2], following, strict=True):
-        chord = float(np.hypot(*(end - (x, y))))
-        radius = chord * (1 + bulge**2) / (4 * bulge) if abs(bulge) > 1e-12 else 0.0
-        rows.append((x, y, radius))
-    rows.append((points[0, 0], points[0, 1], 0.0))
-    return [f"  v {x:9.2f}u{y:9.2f}{r:12.2f}" + f"{0:9.2f}" * 4 for x, y, r in rows]
+    fields = bevels or [SQUARE] * len(points)
+    for point, bulge, end, own in zip(points, outline[:, 2], following, fields, strict=True):
+        rows.append((*point, _radius(point, end, bulge), *own))
+    rows.append((points[0, 0], points[0, 1], 0.0, *SQUARE))
+    return [
+        f"  v {x:9.2f}u{y:9.2f}{r:12.2f}" + "".join(f"{value + 0.0:9.2f}" for value in own)
+        for x, y, r, *own in rows
+    ]
+
+
+def _bevel_fields(bevel: EdgeBevel | None, plate: DevelopedPlate) -> tuple[float, ...]:
+    """angle1, depth1 from the front face, angle2, depth2 from the back: degrees, positive where
+    that face is cut back. Together the depths are the thickness, less the land of a double
+    groove; without a groove the whole edge is told from the front."""
+    if bevel is None:
+        return SQUARE
+    natural, outer, inner = bevel.natural, bevel.outer, bevel.inner
+    front, back, tilt = (inner, outer, natural) if _inside(plate) else (outer, inner, -natural)
+    if not front[1] and not back[1]:
+        front = (tilt, plate.thickness)
+    elif not front[1]:
+        front = (tilt, plate.thickness - back[1])
+    elif not back[1]:
+        back = (-tilt, plate.thickness - front[1])
+    return math.degrees(front[0]), front[1], math.degrees(back[0]), back[1]
+
+
+def _inside(plate: DevelopedPlate) -> bool:
+    return plate.marking_face == "inside"
 
 
 def _polyline(points: np.ndarray) -> list[str]:
     return [f"  v {x:9.2f}u{y:9.2f}{0:9.2f}" for x, y in np.maximum(points, 0.0)]
+
+
+def _stroke(arcs: np.ndarray) -> list[str]:
+    """An open arc polyline, the radius of each arc on its first point."""
+    points = np.maximum(arcs[:, :2], 0.0)
+    radii = [*map(_radius, points[:-1], points[1:], arcs[:-1, 2]), 0.0]
+    return [f"  v {x:9.2f}u{y:9.2f}{r:9.2f}" for (x, y), r in zip(points, radii, strict=True)]
+
+
+def _radius(start: np.ndarray, end: np.ndarray, bulge: float) -> float:
+    """Signed radius of an arc, positive counter-clockwise; 0 of a line."""
+    chord = float(np.hypot(*(end - start)))
+    return chord * (1 + bulge**2) / (4 * bulge) if abs(bulge) > 1e-12 else 0.0
 
 
 def _shortened(flat: np.ndarray) -> np.ndarray:
@@ -107,8 +188,15 @@ def _shortened(flat: np.ndarray) -> np.ndarray:
     return np.array([flat[0] + step, flat[1] - step])
 
 
-def _text(place: np.ndarray, text: str) -> str:
-    return f"  v {place[0]:9.2f}u{place[1]:9.2f}{0:9.2f}{TEXT_HEIGHT:4d} {_ascii(text)}"
+def _text(place: np.ndarray, text: str, angle: float = 0.0) -> str:
+    return f"  v {place[0]:9.2f}u{place[1]:9.2f}{angle + 0.0:9.2f}{TEXT_HEIGHT:4d} {_ascii(text)}"
+
+
+def _mark_text(mark: FlatMark) -> str:
+    if mark.kind == "line":
+        return _text(mark.flat[len(mark.flat) // 2], mark.text)
+    reading = mark.flat[-1] - mark.flat[0]
+    return _text(mark.flat[0], mark.text, math.degrees(math.atan2(reading[1], reading[0])))
 
 
 def _ascii(text: str) -> str:

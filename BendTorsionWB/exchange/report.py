@@ -10,7 +10,10 @@ from collections.abc import Iterable, Sequence
 
 from ..core.finding import Finding, has_error
 from ..core.lofting import DevelopedPlate, MemberRecord
+from .node_tables import node_json
+from .piece_table import piece_json
 from .whole_file import write_whole
+from .zone_table import zone_json
 
 AXIS_RMS_LIMIT = 0.003
 """mm; axis to surface, root mean square, points exact on the surface."""
@@ -41,6 +44,11 @@ def nc1_name(mark: str) -> str:
     return f"nc1/{mark}.nc1"
 
 
+def template_name(template: str) -> str:
+    """Path of a template's DXF file in the output folder."""
+    return f"templates/{template}.dxf"
+
+
 def sheet_name(member: str) -> str:
     """Path of a member's sheets in the output folder."""
     return f"sheets/{member}.pdf"
@@ -61,6 +69,11 @@ def findings_of(record: MemberRecord, findings: Iterable[Finding]) -> list[Findi
     own = set(record.findings)
     names = {record.member, *(plate.mark for plate in record.plates)}
     return [finding for finding in findings if finding in own or finding.object in names]
+
+
+def of_member(name: str, findings: Iterable[Finding]) -> tuple[Finding, ...]:
+    """Those of `findings` whose object is the member or one of its plates."""
+    return tuple(f for f in findings if f.object == name or f.object.startswith(f"{name}-"))
 
 
 def report_json(records: Sequence[MemberRecord], findings: Iterable[Finding], version: str) -> dict:
@@ -98,7 +111,16 @@ def _member(record: MemberRecord) -> dict:
         "torsion_error_max_deg": degrees(record.torsion_error_max),
         "total_torsion_deg": degrees(record.total_torsion),
         "plates": [_plate(plate) for plate in record.plates],
+        "centre_of_gravity_mm": _place(record.centre_of_gravity),
+        "painted_area_mm2": _number(record.painted_area),
+        "zones": [zone_json(zone) for zone in record.zones],
+        "pieces": [piece_json(own) for own in record.pieces],
+        "nodes": [node_json(own) for own in record.nodes],
     }
+
+
+def _place(point) -> list | None:
+    return None if point is None else [_number(value) for value in point]
 
 
 def _plate(plate: DevelopedPlate) -> dict:
@@ -119,6 +141,8 @@ def _plate(plate: DevelopedPlate) -> dict:
         "forming": plate.forming,
         "dxf": dxf_name(plate.mark),
         "nc1": nc1_name(plate.mark),
+        "centre_of_gravity_mm": _place(plate.centre_of_gravity),
+        "painted_area_mm2": _number(plate.painted_area),
     }
 
 
@@ -172,13 +196,38 @@ def within_limits(record: MemberRecord) -> bool:
     )
 
 
-def _measured(record: MemberRecord) -> tuple[tuple[float | None, float], ...]:
+FIGURES = (
+    ("axis rms", AXIS_RMS_LIMIT, 5),
+    ("torsion °", TORSION_ERROR_LIMIT, 6),
+    ("flat", LENGTH_ERROR_LIMIT, 5),
+    ("flat tran", LENGTH_ERROR_LIMIT_TRANSITION, 5),
+    ("x bound", BOUND_FACTOR_LIMIT, 2),
+)
+"""The figures of a member that have limits: name, limit and digits shown."""
+
+
+def figures(record: MemberRecord) -> tuple[float | None, ...]:
+    """A member's FIGURES: axis rms mm, torsion error degrees, worst flat length error mm of plates
+    outside and in transitions, worst error over its proven bound; None where there is none."""
     return (
-        (record.axis_to_surface_rms, AXIS_RMS_LIMIT),
-        (degrees(record.torsion_error_max), TORSION_ERROR_LIMIT),
-        (worst_length_error(record.plates, False), LENGTH_ERROR_LIMIT),
-        (worst_length_error(record.plates, True), LENGTH_ERROR_LIMIT_TRANSITION),
-        (worst_bound_factor(record.plates), BOUND_FACTOR_LIMIT),
+        record.axis_to_surface_rms,
+        degrees(record.torsion_error_max),
+        worst_length_error(record.plates, False),
+        worst_length_error(record.plates, True),
+        worst_bound_factor(record.plates),
+    )
+
+
+def verdict(record: MemberRecord, known: Iterable[Finding]) -> str:
+    """`FAIL` of a member in error, `over` of one beyond a limit, else `ok`."""
+    if not record.plates or has_error(findings_of(record, known)):
+        return "FAIL"
+    return "ok" if within_limits(record) else "over"
+
+
+def _measured(record: MemberRecord) -> tuple[tuple[float | None, float], ...]:
+    return tuple(
+        (value, limit) for value, (_, limit, _) in zip(figures(record), FIGURES, strict=True)
     )
 
 
@@ -192,11 +241,7 @@ _HEADINGS = (
     ("plates", 6, ">"),
     ("length m", 8, ">"),
     ("mass kg", 9, ">"),
-    ("axis rms", 9, ">"),
-    ("torsion °", 9, ">"),
-    ("flat", 9, ">"),
-    ("flat tran", 9, ">"),
-    ("x bound", 7, ">"),
+    *((name, 7 if name == "x bound" else 9, ">") for name, _, _ in FIGURES),
     ("result", 6, "<"),
 )
 
@@ -213,36 +258,23 @@ def summary_lines(records: Sequence[MemberRecord], findings: Iterable[Finding]) 
     lines.append("-" * len(lines[0]))
     good = 0
     for record in records:
-        failed = not record.plates or has_error(findings_of(record, known))
-        passed = within_limits(record) and not failed
-        good += passed
-        verdict = "FAIL" if failed else "ok" if passed else "over"
-        lines.append(_table_row([*_facts(record), *_marked(record), verdict]))
+        result = verdict(record, known)
+        good += result == "ok"
+        lines.append(_table_row([*_facts(record), *_marked(record), result]))
     lines.append("-" * len(lines[0]))
     plates = [plate for record in records for plate in record.plates]
     length = sum(record.length or 0.0 for record in records) / 1000.0
     mass = sum(record.mass or 0.0 for record in records)
-    worst = []
-    for column, digits in zip(zip(*(_measured(record) for record in records)), _DIGITS):
-        value = largest(value for value, _ in column if value is not None)
-        worst.append(_figure(value, column[0][1], digits))
-    verdicts = [line.split()[-1] for line in lines[2 : 2 + len(records)]]
-    verdict = next((v for v in ("FAIL", "over") if v in verdicts), "ok" if records else "FAIL")
-    total = [f"{len(records)} in all", "", str(len(plates)), f"{length:.3f}", f"{mass:.1f}"]
-    lines.append(_table_row([*total, *(worst or [""] * len(_DIGITS)), verdict]))
-    limits = [
-        f"{limit:.{digits}f}"
-        for limit, digits in zip(
-            (
-                AXIS_RMS_LIMIT,
-                TORSION_ERROR_LIMIT,
-                LENGTH_ERROR_LIMIT,
-                LENGTH_ERROR_LIMIT_TRANSITION,
-                BOUND_FACTOR_LIMIT,
-            ),
-            _DIGITS,
-        )
+    columns = zip(*(figures(record) for record in records)) if records else [()] * len(FIGURES)
+    worst = [
+        _figure(largest(value for value in column if value is not None), limit, digits)
+        for column, (_, limit, digits) in zip(columns, FIGURES, strict=True)
     ]
+    results = [line.split()[-1] for line in lines[2 : 2 + len(records)]]
+    result = next((v for v in ("FAIL", "over") if v in results), "ok" if records else "FAIL")
+    total = [f"{len(records)} in all", "", str(len(plates)), f"{length:.3f}", f"{mass:.1f}"]
+    lines.append(_table_row([*total, *worst, result]))
+    limits = [f"{limit:.{digits}f}" for _, limit, digits in FIGURES]
     lines.append(_table_row(["limits", "", "", "", "", *limits, ""]))
     counts = [
         f"{sum(finding.severity == severity for finding in known)} {severity}s"
@@ -250,9 +282,6 @@ def summary_lines(records: Sequence[MemberRecord], findings: Iterable[Finding]) 
     ]
     lines.append(f"{good} of {len(records)} members within the limits; {', '.join(counts)}")
     return lines
-
-
-_DIGITS = (5, 6, 5, 5, 2)  # shown, of the figures of `_measured`
 
 
 def _facts(record: MemberRecord) -> list[str]:
@@ -267,7 +296,8 @@ def _facts(record: MemberRecord) -> list[str]:
 
 def _marked(record: MemberRecord) -> list[str]:
     return [
-        _figure(value, limit, digits) for (value, limit), digits in zip(_measured(record), _DIGITS)
+        _figure(value, limit, digits)
+        for value, (_, limit, digits) in zip(figures(record), FIGURES, strict=True)
     ]
 
 

@@ -8,9 +8,21 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from ..core.finding import SEVERITIES, Finding
 from ..core.lofting import DevelopedPlate, MemberRecord
+from ..core.site import AT_ORIGIN, SiteDatum
+from .bed_tables import bed_tables
+from .bevel_tables import bevel_tables
+from .column_units import with_units
+from .control_table import control_table
+from .cutting_tables import cutting_tables
+from .forming_tables import forming_tables
+from .node_tables import node_tables
+from .pattern_tables import EDGES, GROSS, edge_rows, gross_cells
+from .piece_table import piece_table
 from .report import all_findings, degrees, dxf_name, findings_of, largest, nc1_name, sheet_name
+from .weld_tables import weld_tables
 from .whole_file import write_whole
 from .xlsx_file import FINE, STRAIN, TENTH, TEXT, WHOLE, Column, Table, xlsx_bytes
+from .zone_table import zone_table
 
 SUMMARY = (
     Column("member", TEXT, 14),
@@ -27,6 +39,8 @@ SUMMARY = (
     Column("errors", WHOLE, 8),
     Column("warnings", WHOLE, 10),
     Column("notes", WHOLE, 8),
+    *(Column(f"centre_{name}", TENTH, 11) for name in "xyz"),
+    Column("painted_area", TENTH, 13),
 )
 
 PLATES = (
@@ -48,6 +62,9 @@ PLATES = (
     Column("dxf", TEXT, 22),
     Column("nc1", TEXT, 22),
     Column("sheet", TEXT, 18),
+    *(Column(f"centre_{name}", TENTH, 11) for name in "xyz"),
+    Column("painted_area", TENTH, 13),
+    *GROSS,
 )
 
 POINTS = (
@@ -99,24 +116,36 @@ def write_results(
     findings: Iterable[Finding],
     path: str | os.PathLike,
     project: str = "",
+    site: SiteDatum = AT_ORIGIN,
 ) -> None:
     """Write the results workbook to `path`; mm, kg, degrees at full precision.
 
-    Sheets Summary, Plates, Points, Lines, Panels and Checks, header names in row 1; `findings`
-    are those of the build, the records' own are added. `project` is its title. The same input
-    gives the same bytes. Raises BendTorsionError when the file cannot be written.
+    Sheets Summary, Zones, Pieces, Plates, Points, Lines, Panels, Forming, FormingLines, Bed, Pins,
+    Control, BedFrames and Checks, header names in row 1; `findings` are those of the build,
+    the records' own are added. `project` is its title; `site`: where the model lies. The same
+    input gives the same bytes. Raises BendTorsionError when the file cannot be written.
     """
     known = all_findings(records, findings)
     plates = [plate for record in records for plate in record.plates]
     tables = (
         Table("Summary", SUMMARY, _summary(records, known), _project(records, known, project)),
+        zone_table(records),
+        piece_table(records),
         Table("Plates", PLATES, map(_plate, plates)),
         Table("Points", POINTS, (row for plate in plates for row in _points(plate))),
         Table("Lines", LINES, (row for plate in plates for row in _lines(plate))),
         Table("Panels", PANELS, (row for plate in plates for row in _panels(plate))),
+        Table("Edges", EDGES, (row for plate in plates for row in edge_rows(plate))),
+        *node_tables(records),
+        *weld_tables(records),
+        *bevel_tables(records),
+        *cutting_tables(records),
+        *forming_tables(plates),
+        *bed_tables([bed for record in records for bed in record.beds]),
+        control_table(records, site),
         Table("Checks", CHECKS, (_check(finding) for finding in known)),
     )
-    write_whole(path, xlsx_bytes(tables, project))
+    write_whole(path, xlsx_bytes(tuple(map(with_units, tables)), project))
 
 
 def _summary(records: Sequence[MemberRecord], known: Sequence[Finding]) -> Iterator[tuple]:
@@ -134,6 +163,8 @@ def _summary(records: Sequence[MemberRecord], known: Sequence[Finding]) -> Itera
             degrees(record.total_torsion),
             largest(plate.length_error_max for plate in record.plates),
             *_counts(findings_of(record, known)),
+            *_place(record.centre_of_gravity),
+            record.painted_area,
         )
 
 
@@ -186,7 +217,14 @@ def _plate(plate: DevelopedPlate) -> tuple:
         dxf_name(plate.mark),
         nc1_name(plate.mark),
         sheet_name(plate.member),
+        *_place(plate.centre_of_gravity),
+        plate.painted_area,
+        *gross_cells(plate),
     )
+
+
+def _place(point) -> tuple:
+    return (None,) * 3 if point is None else tuple(point.tolist())
 
 
 def _points(plate: DevelopedPlate) -> Iterator[tuple]:

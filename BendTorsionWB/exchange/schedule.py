@@ -10,9 +10,19 @@ from pathlib import Path
 import numpy as np
 
 from BendTorsionWB.core.finding import BendTorsionError, Finding
+from BendTorsionWB.core.laid_flat import PLAIN, PatternInput
+from BendTorsionWB.core.part_tables import PART_COLUMNS, material_text
+from BendTorsionWB.core.preps import Prep, prep_text
+from BendTorsionWB.core.section_strips import StripRow
+from BendTorsionWB.core.sheet_style import SheetStyle
+from BendTorsionWB.core.site import SiteDatum
 from BendTorsionWB.exchange.schedule_cells import Cut, FilePart, Joints
 from BendTorsionWB.exchange.schedule_checks import check
 from BendTorsionWB.exchange.schedule_columns import SHEETS
+from BendTorsionWB.exchange.schedule_end_cuts import EndCutCell
+from BendTorsionWB.exchange.schedule_nodes import NODE_COLUMNS
+from BendTorsionWB.exchange.schedule_patterns import pattern_input
+from BendTorsionWB.exchange.schedule_sections import section_values, strips_of
 from BendTorsionWB.exchange.schedule_workbook import Place, Record, read_records
 
 _BUILT_IN = Place("built in", "", None)
@@ -46,6 +56,54 @@ class Settings(Row):
     axis_tolerance: float
     default_material: str
     rule_pack: str
+    bed_face: str = "auto"
+    bed_plane: str = "fit"
+    bed_spacing: float = 2000.0
+    bed_height: float = 700.0
+    pin_pitch: float | None = None
+    lowest_pin: float = 250.0
+    template_pitch: float = 3500.0
+    template_clearance: float = 0.0
+    site_x: float = 0.0
+    site_y: float = 0.0
+    site_z: float = 0.0
+    site_rotation: float = 0.0
+    site_unit: str = "mm"
+    sheet_format: str = "A3"
+    sheet_standard: str = "ISO"
+    sheet_language: str = "en"
+    sheet_unit: str = "mm"
+
+    @property
+    def site(self) -> SiteDatum:
+        """Where the model lies on the site."""
+        return SiteDatum(
+            self.site_x, self.site_y, self.site_z, self.site_rotation, self.site_unit
+        )
+
+    @property
+    def sheet_style(self) -> SheetStyle:
+        """How the sheets are drawn."""
+        return SheetStyle(
+            self.project,
+            self.author,
+            self.sheet_format,
+            self.sheet_standard,
+            self.sheet_language,
+            self.sheet_unit,
+            self.site,
+        )
+    mode: str = "edges"
+    flattened_surface: str = "mid"
+    marking_face: str = "inside"
+    shrinkage_along: float = 0.0
+    shrinkage_across: float = 0.0
+    joint_allowance: float = 0.0
+    diaphragm_allowance: float = 0.0
+    green_start: float = 0.0
+    green_end: float = 0.0
+    splice: str = "after forming"
+    contour: str = "mid"
 
 
 @dataclass(frozen=True)
@@ -130,23 +188,30 @@ class AxisRow(Row):
 
 @dataclass(frozen=True)
 class SectionRow(Row):
-    """All mm; thicknesses resolved from t and the single columns; t_web is of each web."""
+    """All mm, as `section_values` gives them: sizes of a catalogue section filled in, thicknesses
+    resolved from t and the single columns; None or empty for what the type does not take."""
 
     name: str
+    material: str
     type: str
-    h: float
-    b: float
-    t_top: float
-    t_bottom: float
-    t_web: float
+    h: float | None
+    b: float | None
+    t_top: float | None
+    t_bottom: float | None
+    t_web: float | None
     gap1: float
     gap2: float
-    material: str
+    b_bottom: float | None
+    corner_joint: str
+    corners: tuple[tuple[float, float], ...]
+    thicknesses: tuple[float, ...]
+    strips: tuple[StripRow, ...]
 
 
 @dataclass(frozen=True)
 class SegmentRow(Row):
-    """One segment and the transition before it; cut is None on segment 1. Offsets in mm."""
+    """One segment and the transition before it; cut is None on segment 1 of an open axis. Offsets
+    in mm."""
 
     member: str
     number: int
@@ -157,11 +222,14 @@ class SegmentRow(Row):
     align_to: str
     offset_y: float
     offset_z: float
+    stagger: str = "auto"
+    transition: str = "linear"
 
 
 @dataclass(frozen=True)
 class MemberRow(Row):
-    """A member and its segments in order; offsets in mm, roll in rad, rank kept for nodes."""
+    """A member and its segments in order; offsets in mm, roll in rad, rank kept for nodes;
+    patterns: how its plates are laid flat; start_cut, end_cut: how its ends are cut."""
 
     name: str
     axis: str
@@ -170,15 +238,52 @@ class MemberRow(Row):
     offset_z: float
     roll: float
     rank: int | None
+    patterns: PatternInput = PLAIN
+    start_cut: EndCutCell | None = None
+    end_cut: EndCutCell | None = None
 
 
 @dataclass(frozen=True)
 class SplitRow(Row):
-    """The joints of one face of a member."""
+    """The joints of one face of a member, and the seams of its lanes (None: one lane)."""
 
     member: str
     face: str
     joints: Joints
+    lanes: Joints | None = None
+
+
+@dataclass(frozen=True)
+class PartRow(Row):
+    """A diaphragm, an opening or a mark: its cells by column, as `core/part_tables` reads them."""
+
+    sheet: str
+    member: str
+    cells: tuple[tuple[str, object], ...]
+
+
+@dataclass(frozen=True)
+class NodeRow(Row):
+    """The meeting of two members: `through` runs through; lengths in mm, gap None for the
+    rules'."""
+
+    name: str | None
+    through: str
+    other: str
+    s: Cut | None
+    type: str
+    gap: float | None
+    stub_length: float
+    diaphragms: str
+    blend: bool
+
+
+@dataclass(frozen=True)
+class StatusRow(Row):
+    """What the shop has done with a plate: cut, or its trimming or scrapping agreed to."""
+
+    name: str
+    status: str
 
 
 @dataclass(frozen=True)
@@ -195,6 +300,9 @@ class Schedule:
     members: tuple[MemberRow, ...]
     splits: tuple[SplitRow, ...]
     folder: str = field(default="", compare=False, repr=False)
+    parts: tuple[PartRow, ...] = ()
+    nodes: tuple[NodeRow, ...] = ()
+    statuses: tuple[StatusRow, ...] = ()
 
     def material(self, name: str) -> MaterialRow:
         """The material of this name; KeyError when there is none, as for the three below."""
@@ -215,6 +323,10 @@ class Schedule:
     def splits_of(self, member: str) -> dict[str, SplitRow]:
         """The member's split rows by face; faces without a row have no entry."""
         return {split.face: split for split in self.splits if split.member == member}
+
+    def parts_of(self, sheet: str, member: str) -> tuple[PartRow, ...]:
+        """The member's rows of sheet Diaphragms, Openings, Marks or Pieces."""
+        return tuple(p for p in self.parts if p.member == member and p.sheet == sheet)
 
 
 def _named(rows, name):
@@ -248,19 +360,57 @@ def _schedule(records: dict[str, list[Record] | None], values: dict) -> Schedule
     ]
     if all(material.name != "S355" for material in materials):
         materials.append(MaterialRow(_BUILT_IN, "S355", 7.85e-6, 206000.0, 355.0))
+    strips = strips_of(records["Strips"] or [])
     return Schedule(
         file,
         settings,
         tuple(materials),
         tuple(_surface(row) for row in records["Surfaces"]),
         _axes(records),
-        tuple(_section(row, settings) for row in records["Sections"]),
+        tuple(
+            _section(row, strips.get(row["section"], ()), settings) for row in records["Sections"]
+        ),
         _members(records["Members"], settings),
         tuple(
-            SplitRow(row.place, row["member"], row["face"], row["joints"])
+            SplitRow(
+                row.place,
+                row["member"],
+                row["face"],
+                row["joints"] or Joints((), "ratio"),
+                row["lanes"],
+            )
             for row in records["Splits"] or []
         ),
+        parts=_parts(records, materials),
+        nodes=tuple(
+            NodeRow(row.place, *(row[column] for column in NODE_COLUMNS))
+            for row in records["Nodes"] or []
+        ),
+        statuses=tuple(
+            StatusRow(row.place, row["plate"], row["status"]) for row in records["Status"] or []
+        ),
     )
+
+
+def _parts(records, materials) -> tuple[PartRow, ...]:
+    grades = {m.name: material_text(m.name, m.density, m.E, m.fy) for m in materials}
+    preps = {row["prep"]: prep_text(_prep(row)) for row in records["Preps"] or []}
+    rows = []
+    for sheet, columns in PART_COLUMNS.items():
+        for row in records[sheet] or []:
+            cells = {column: row[column] for column in columns}
+            if cells.get("material") is not None:
+                cells["material"] = grades[cells["material"]]
+            if cells.get("prep") in preps:
+                cells["prep"] = preps[cells["prep"]]
+            rows.append(PartRow(row.place, sheet, row["member"], tuple(cells.items())))
+    return tuple(rows)
+
+
+def _prep(row: Record) -> Prep:
+    angle = math.radians(row["angle"])
+    sizes = (row[name] for name in ("land", "gap", "side", "backing"))
+    return Prep(row["prep"], row["type"], angle, *sizes)
 
 
 def _surface(row: Record) -> SurfaceRow:
@@ -318,21 +468,9 @@ def _axes(records) -> tuple[AxisRow, ...]:
     )
 
 
-def _section(row: Record, settings: Settings) -> SectionRow:
-    thickness = (
-        row["t"] if row[name] is None else row[name] for name in ("t_top", "t_bottom", "t_web")
-    )
-    return SectionRow(
-        row.place,
-        row["section"],
-        row["type"],
-        row["h"],
-        row["b"],
-        *thickness,
-        row["gap1"],
-        row["gap2"],
-        row["material"] or settings.default_material,
-    )
+def _section(row: Record, strips, settings: Settings) -> SectionRow:
+    material = row["material"] or settings.default_material
+    return SectionRow(row.place, row["section"], material, **section_values(row, strips))
 
 
 def _members(rows, settings: Settings) -> tuple[MemberRow, ...]:
@@ -349,6 +487,9 @@ def _members(rows, settings: Settings) -> tuple[MemberRow, ...]:
             first["member_offset_z"],
             first["roll"],
             first["rank"],
+            pattern_input(first, settings),
+            first["start_cut"],
+            first["end_cut"],
         )
         for name, (first, *others) in by_name.items()
     )
@@ -367,4 +508,6 @@ def _segment(row: Record, settings: Settings) -> SegmentRow:
         row["align_to"],
         row["offset_y"],
         row["offset_z"],
+        row["stagger"],
+        row["transition"],
     )

@@ -6,8 +6,11 @@ from __future__ import annotations
 import difflib
 import math
 import re
+import unicodedata
 from collections.abc import Iterable
 from dataclasses import dataclass
+
+from ..core.thickness import STAGGER_WORDS, stagger_offsets
 
 # Beyond any site grid in mm; larger figures are slips that would only overflow later.
 LARGEST_NUMBER = 1e10
@@ -16,6 +19,7 @@ SHORTEST_CUT = 1.0
 LONGEST_NAME = 64
 
 _NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
+_GROUPS = re.compile(r"[+-]?[1-9]\d{0,2}(,\d{3})+")
 _NOT_IN_A_FILE_NAME = re.compile(r'[<>:"/\\|?*,;\x00-\x1f]')
 
 
@@ -97,14 +101,29 @@ class Number:
         return number * self.scale
 
 
+def _with_decimal_point(text: str) -> str:
+    """A number with commas in it, its decimal mark a point; refused where a comma may as well be
+    between thousands."""
+    if _GROUPS.fullmatch(text):
+        whole, decimal = text.replace(",", ""), text.replace(",", ".", 1)
+        mend = f"write {whole}" + (f" or {decimal}" if text.count(",") == 1 else "")
+        message = "the comma may be a decimal mark or part thousands"
+        raise BadCell("not-a-number", message, mend)
+    if "." not in text:
+        return text.replace(",", ".", 1)
+    marks = (",", ".") if text.rindex(",") < text.rindex(".") else (".", ",")
+    if not re.fullmatch(rf"[+-]?\d{{1,3}}([{marks[0]}]\d{{3}})+[{marks[1]}]\d*", text):
+        return text
+    return text.replace(marks[0], "").replace(marks[1], ".")
+
+
 def _finite(value) -> float:
     if isinstance(value, str):
-        text = value.strip()
+        text = unicodedata.normalize("NFKC", value).strip()
         if text.lower().lstrip("+-") in ("nan", "inf", "infinity"):
             raise BadCell("not-finite", "not a finite number", "write a number")
-        if _NUMBER.fullmatch(text.replace(",", ".", 1)) and "," in text:
-            mend = f"the decimal mark is a point: write {text.replace(',', '.', 1)}"
-            raise BadCell("not-a-number", "text where a number belongs", mend)
+        if "," in text:
+            text = _with_decimal_point(text)
         if not _NUMBER.fullmatch(text):
             raise BadCell("not-a-number", "text where a number belongs", "write a number")
         number = float(text)
@@ -232,8 +251,29 @@ def cut(value) -> Cut:
     return Cut(Number()(number), is_ratio)
 
 
+def stagger(value) -> str:
+    """`auto`, `none`, or offsets of faces in mm as top=0 left=200."""
+    text = " ".join(re.sub(r"\s*=\s*", "=", str(value)).split())
+    text = text.lower() if text.lower() in STAGGER_WORDS else text
+    try:
+        stagger_offsets(text)
+    except ValueError as problem:
+        mend = "write auto, none, or offsets in mm such as top=0 left=200"
+        raise BadCell("bad-stagger", f"stagger: {problem}", mend) from None
+    return text
+
+
 def joints(value) -> Joints:
     """Rising positions parted by blanks: all <= 1 are ratios, otherwise all are mm; or `auto`."""
+    return _places(value, "joints")
+
+
+def lanes(value) -> Joints:
+    """Seams across a face, as joints along it."""
+    return _places(value, "lanes")
+
+
+def _places(value, what: str) -> Joints:
     words = str(value).split()
     if [word.lower() for word in words] == ["auto"]:
         return Joints((), "auto")
@@ -241,14 +281,15 @@ def joints(value) -> Joints:
     try:
         numbers = [Number(above=0.0)(word) for word in words]
     except BadCell as bad:
-        raise BadCell(bad.code, f"joints: {bad.message}", mend, bad.limit) from None
+        raise BadCell(bad.code, f"{what}: {bad.message}", mend, bad.limit) from None
     if any(after <= before for before, after in zip(numbers, numbers[1:])):
-        raise BadCell("joints-not-rising", "joints do not rise", mend, "each above the one before")
+        limit = "each above the one before"
+        raise BadCell(f"{what}-not-rising", f"{what} do not rise", mend, limit)
     if numbers[0] > 1.0:
         return Joints(tuple(numbers), "mm")
     if numbers[-1] > 1.0:
         mend = "write ratios up to 1 only, or mm only"
-        raise BadCell("joints-mixed", "ratios up to 1 and mm are mixed", mend, "at most 1")
+        raise BadCell(f"{what}-mixed", "ratios up to 1 and mm are mixed", mend, "at most 1")
     # The ratio 1 is the member's end, where no joint is.
     return Joints(tuple(number for number in numbers if number < 1.0), "ratio")
 
@@ -268,3 +309,24 @@ def parameters(value) -> dict[str, float]:
         except BadCell as bad:
             raise BadCell(bad.code, f"parameter {key}: {bad.message}", mend, bad.limit) from None
     return found
+
+
+def corners(value) -> tuple[tuple[float, float], ...]:
+    """Corners y z of a polygon in turn, parted by semicolons: `0 0; 500 0; 600 400`."""
+    mend = "write y z of each corner, parted by semicolons, such as 0 0; 500 0; 600 400"
+    try:
+        found = [tuple(map(Number(), pair.split())) for pair in str(value).split(";")]
+    except BadCell as bad:
+        raise BadCell(bad.code, f"corners: {bad.message}", mend, bad.limit) from None
+    if any(len(pair) != 2 for pair in found):
+        raise BadCell("bad-corners", "a corner is not two numbers", mend)
+    return tuple(found)
+
+
+def thicknesses(value) -> tuple[float, ...]:
+    """Thicknesses of sides, mm, parted by blanks: `16 16 20`."""
+    mend = "write a thickness in mm per side, parted by blanks, such as 16 16 20"
+    try:
+        return tuple(map(Number(above=0.0), str(value).split()))
+    except BadCell as bad:
+        raise BadCell(bad.code, f"thicknesses: {bad.message}", mend, bad.limit) from None

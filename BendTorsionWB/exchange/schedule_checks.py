@@ -8,6 +8,8 @@ from collections import defaultdict
 import numpy as np
 from scipy.spatial import cKDTree
 
+from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.core.preps import prep_of
 from BendTorsionWB.exchange.schedule_axis_checks import check_frames, check_presets
 from BendTorsionWB.exchange.schedule_cells import did_you_mean
 from BendTorsionWB.exchange.schedule_columns import (
@@ -16,6 +18,10 @@ from BendTorsionWB.exchange.schedule_columns import (
     SETTINGS,
     SURFACE_PARAMETERS,
 )
+from BendTorsionWB.exchange.schedule_end_cuts import check_end_cuts
+from BendTorsionWB.exchange.schedule_nodes import check_nodes
+from BendTorsionWB.exchange.schedule_patterns import check_split
+from BendTorsionWB.exchange.schedule_sections import check_faces, check_sections
 from BendTorsionWB.exchange.schedule_workbook import Record, parse_cell
 
 COINCIDENT_POINTS = 1e-3
@@ -31,6 +37,9 @@ _KEYS = {
     "Axes": ("axis",),
     "Sections": ("section",),
     "Splits": ("member", "face"),
+    "Pieces": ("member", "piece"),
+    "Preps": ("prep",),
+    "Status": ("plate",),
 }
 # Names that must be a row of another sheet: (sheet, column, the other sheet, its column).
 _REFERENCES = (
@@ -39,9 +48,18 @@ _REFERENCES = (
     ("Presets", "axis", "Axes", "axis"),
     ("Axes", "surface", "Surfaces", "surface"),
     ("Sections", "material", "Materials", "material"),
+    ("Strips", "section", "Sections", "section"),
     ("Members", "axis", "Axes", "axis"),
     ("Members", "section", "Sections", "section"),
     ("Splits", "member", "Members", "member"),
+    ("Diaphragms", "member", "Members", "member"),
+    ("Diaphragms", "material", "Materials", "material"),
+    ("Openings", "member", "Members", "member"),
+    ("Marks", "member", "Members", "member"),
+    ("Pieces", "member", "Members", "member"),
+    ("Edges", "member", "Members", "member"),
+    ("Nodes", "through", "Members", "member"),
+    ("Nodes", "other", "Members", "member"),
 )
 
 
@@ -57,21 +75,56 @@ def check(records: dict[str, list[Record] | None], faults: list) -> dict[str, ob
     for sheet, column, other, key in _REFERENCES:
         _references(records, sheet, column, other, key, faults)
     _default_material(records, faults)
+    _preps(records, faults)
     for record in records["Surfaces"] or []:
         _surface(record, faults)
     if records["Points"] is not None and records["Axes"]:
         _points(records["Points"], records["Axes"], faults)
     check_frames(records["Frames"] or [], records["Axes"] or [], faults)
     check_presets(records["Presets"] or [], faults)
-    for record in records["Sections"] or []:
-        _section(record, faults)
-    axes = {record["axis"] for record in records["Axes"] or []}
-    _members(records["Members"] or [], records["Sections"] or [], axes, faults)
+    sections = check_sections(records["Sections"] or [], records["Strips"] or [], faults)
+    # Whether an axis may be a ring; that of a file is known when it is read.
+    axes = {
+        record["axis"]: record["closed"] or record["source"] is not None
+        for record in records["Axes"] or []
+    }
+    _members(records["Members"] or [], sections, axes, faults)
+    for sheet in ("Splits", "Openings", "Marks"):
+        check_faces(records[sheet] or [], records["Members"] or [], sections, faults)
+    for record in records["Splits"] or []:
+        check_split(record, lambda *problem: _report(faults, *problem))
+    check_nodes(records["Nodes"] or [], faults)
+    check_end_cuts(
+        records["Members"] or [],
+        records["Surfaces"] or [],
+        lambda *problem: _report(faults, *problem),
+    )
     return settings
 
 
 def _report(faults, record: Record, column, code, message, mend, **fields):
     faults.append((record.place, record.error(column, code, message, mend, **fields)))
+
+
+def _preps(records, faults: list) -> None:
+    """Preparations named in Edges: a row of Preps, or words that say what it is."""
+    known = {record["prep"] for record in records["Preps"] or []}
+    for record in records["Edges"] or []:
+        given = record["prep"]
+        if not given or given in known:
+            continue
+        try:
+            prep_of(given)
+        except BendTorsionError as problem:
+            fault = problem.findings[0]
+            finding = record.place.error(
+                "prep",
+                "unknown-name",
+                f"{given!r} is no preparation of sheet Preps: {fault.message}",
+                "name a row of Preps, or write such as bevel angle=40 land=6 gap=2",
+                value=given,
+            )
+            faults.append((record.place, finding))
 
 
 def _settings(rows, faults) -> dict[str, object]:
@@ -228,48 +281,8 @@ def _number(record) -> int:
     return record["no"] or 0
 
 
-def _section(record, faults):
-    if record.bad & {"h", "b", "t", "t_top", "t_bottom", "t_web", "gap1", "gap2", "type"}:
-        return
-    # The columns that give each thickness; `t` stands in for those left empty.
-    source = {
-        name: name if record[name] is not None else "t" for name in ("t_top", "t_bottom", "t_web")
-    }
-    if record["t"] is None and "t" in source.values():
-        empty = ", ".join(name for name, column in source.items() if column == "t")
-        message = f"no thickness: t and {empty} are empty"
-        mend = "fill in t, or all of t_top, t_bottom and t_web"
-        _report(faults, record, "t", "value-missing", message, mend)
-        return
-    reported = set()
-    for name, size in (("t_top", "h"), ("t_bottom", "h"), ("t_web", "b")):
-        column, limit = source[name], record[size] / 2.0
-        if record[column] >= limit and column not in reported:
-            reported.add(column)
-            message = f"the plate is not thinner than half of {size} = {record[size]:g} mm"
-            mend = f"write less than {limit:g}, or a larger {size}"
-            fields = {"limit": limit, "unit": "mm"}
-            _report(faults, record, column, "too-thick", message, mend, **fields)
-    if reported:
-        return
-    thickness = {name: record[column] for name, column in source.items()}
-    if record["type"] == "box1":
-        room, plates = record["b"] - 2.0 * thickness["t_web"], "top and bottom"
-    else:
-        room, plates = record["h"] - thickness["t_top"] - thickness["t_bottom"], "webs"
-    gaps = record["gap1"] + record["gap2"]
-    if gaps >= room:
-        column = "gap1" if record["gap1"] >= record["gap2"] else "gap2"
-        message = f"the gaps leave no width for {plates}"
-        fields = {"value": gaps, "limit": room, "unit": "mm"}
-        mend = f"keep gap1 + gap2 below {room:g}"
-        _report(faults, record, column, "gap-too-wide", message, mend, **fields)
-
-
 def _members(rows, sections, axes, faults):
-    type_of: dict[str, str] = {}
-    for record in sections:
-        type_of.setdefault(record["section"], record["type"])
+    type_of = {name: getattr(kind, "type", kind) for name, kind in sections.items()}
     members = defaultdict(list)
     for record in rows:
         if record["member"] is not None:
@@ -304,9 +317,10 @@ def _segments(name, segments, axes, faults):
         seen.setdefault(number, record)
         # Whatever its number says, the first row is judged as the first segment.
         if wanted == 1:
-            _first_segment(name, record, faults)
+            _first_segment(name, record, axes, faults)
         else:
             _later_segment(name, record, segments[0]["axis"], axes, faults)
+        _alignment(record, faults)
         cut = record["cut"]
         if cut is not None and wanted != 1:
             before = last_cut.get(cut.is_ratio)
@@ -318,13 +332,13 @@ def _segments(name, segments, axes, faults):
             last_cut[cut.is_ratio] = record
 
 
-def _first_segment(name, record, faults):
+def _first_segment(name, record, axes, faults):
     if record["axis"] is None and "axis" not in record.bad:
         message = f"member {name} has no axis"
         _report(faults, record, "axis", "value-missing", message, "fill in axis on segment 1")
-    if record["cut"] is not None:
+    if record["cut"] is not None and record["axis"] in axes and not axes[record["axis"]]:
         message = f"segment 1 of {name} starts at the member's start and has no cut"
-        mend = "empty the cell; the cut belongs on the row of segment 2"
+        mend = "empty the cell; the cut belongs on the row of segment 2, or the axis is closed"
         _report(faults, record, "cut", "cut-on-first-segment", message, mend)
     if record["align_to"] == "previous":
         message = f"segment 1 of {name} has no previous segment"
@@ -347,6 +361,14 @@ def _later_segment(name, record, axis, axes, faults):
             message = f"{column} holds for the whole member {name}"
             mend = "empty the cell; write it on segment 1"
             _report(faults, record, column, "first-segment-only", message, mend)
+
+
+def _alignment(record, faults):
+    held = record["align"] or "top"
+    if record["align_to"] == "surface" and not ("top" in held or "bottom" in held):
+        message = f"a surface cannot hold alignment {held}: only the top or bottom face can"
+        mend = "write axis, or align top or bottom, with left or right if need be"
+        _report(faults, record, "align_to", "alignment", message, mend)
 
 
 def _types(name, segments, type_of, faults):

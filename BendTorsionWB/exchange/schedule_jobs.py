@@ -9,33 +9,48 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..core import rules
+from ..core import part_tables, rules
 from ..core.axis_ends import AxisEnd
 from ..core.axis_input import AxisInput
 from ..core.axis_preset import Preset
 from ..core.axis_source import AxisSource
+from ..core.bed_face import BedInput
 from ..core.detailing import MemberInput, MemberJob, PlatesInput
 from ..core.finding import BendTorsionError, Finding
 from ..core.frames import FrameInput
 from ..core.frames_law import GivenDirection
+from ..core.lanes import Lanes
 from ..core.plates import Joints
-from ..core.section import Material, Section, box
+from ..core.section import Material, Section
 from ..core.surface import Flipped, Offset, Surface, analytic_surface
 from ..core.zones import Segment
-from .schedule import AxisRow, MemberRow, Schedule, SegmentRow
+from .schedule import AxisRow, MemberRow, Schedule, SegmentRow, Settings
+from .schedule_end_cuts import core_cut
+from .schedule_sections import core_section
 
 COLUMN_OF_CODE = {
     "cut-beyond-axis": "cut",
     "cut-order": "cut",
+    "cut-on-first-segment": "cut",
+    "chamfer-too-long": "cut",
+    "stagger": "stagger",
+    "stagger-without-change": "stagger",
+    "thickness-joints-not-staggered": "stagger",
     "transitions-overlap": "cut",
     "transition-past-end": "cut",
+    "transition-short": "slope",
     "slope": "slope",
     "alignment": "align",
+    "alignment-to-surface": "align_to",
+    "alignment-surface-border": "align_to",
     "type-change": "section",
     "bend-sharper-than-section": "section",
     "plate-folds-over": "section",
 }
 """Column of the Members sheet a finding of the core is about."""
+
+SPLIT_CODES = ("joints", "lanes", "plate-too-short", "stock-too-narrow", "joints-infeasible")
+"""Codes of findings about a row of the Splits sheet."""
 
 COLUMN_OF_AXIS_CODE = {
     "axis-along-normal": "surface",
@@ -50,12 +65,57 @@ COLUMN_OF_AXIS_CODE = {
 """Column of the Axes sheet a finding of the core is about."""
 
 
+PARTS = {
+    "Diaphragms": "diaphragms",
+    "Openings": "openings",
+    "Marks": "marks",
+    "Pieces": "pieces",
+    "Edges": "edges",
+}
+"""Field of PlatesInput the rows of a sheet go into."""
+
+COLUMN_OF_PART_CODE = {
+    "diaphragm-gap": "gap",
+    "diaphragm-no-room": "gap",
+    "diaphragm-thickness": "t",
+    "diaphragm-snipe": "snipe",
+    "manhole-ligament": "manhole",
+    "diaphragm-closing": "closing_face",
+    "diaphragm-slot": "closing_face",
+    "diaphragm-outside": "s",
+    "diaphragms-meet": "s",
+    "end-plate-on-cut": "s",
+    "piece-number": "piece",
+    "pieces-overlap": "from",
+    "prep-angle": "prep",
+    "prep-land": "prep",
+    "prep-backing": "prep",
+    "edge-row-unused": "seam",
+    "pieces-leave-out": "from",
+    "piece-beyond-member": "to",
+    "piece-order": "to",
+    "piece-end-face": "end_end",
+    "piece-ends-differ": "start_end",
+    "piece-end-at-member-end": "end_end",
+    "piece-end-in-transition": "to",
+    "delivery-piece-too-short": "to",
+    "piece-gap": "gap",
+    "piece-green": "green_end",
+    "opening-face": "face",
+    "mark-face": "face",
+    "mark-outside": "s",
+}
+"""Column of the sheets of parts a finding of the core is about."""
+
+
 @dataclass(frozen=True)
 class Files:
-    """What the files of a schedule hold: surfaces by their name, sources by their axis's."""
+    """What the files of a schedule hold: surfaces by their name, sources by their axis's; and what
+    was found about their units and sizes."""
 
     surfaces: Mapping[str, Surface] = field(default_factory=dict)
     sources: Mapping[str, AxisSource] = field(default_factory=dict)
+    findings: tuple[Finding, ...] = ()
 
 
 def surface_of(schedule: Schedule, name: str, files: Files = Files()) -> Surface:
@@ -88,18 +148,8 @@ def section_of(schedule: Schedule, name: str) -> Section:
     """The core section of a Sections row."""
     row = schedule.section(name)
     grade = schedule.material(row.material)
-    return box(
-        row.name,
-        row.type,
-        row.h,
-        row.b,
-        row.t_top,
-        row.t_bottom,
-        row.t_web,
-        row.gap1,
-        row.gap2,
-        Material(grade.name, grade.density, grade.E, grade.fy),
-    )
+    material = Material(grade.name, grade.density, grade.E, grade.fy)
+    return core_section(row.name, vars(row), material)
 
 
 def axis_input_of(row: AxisRow, tolerance: float, files: Files = Files()) -> AxisInput:
@@ -140,10 +190,13 @@ def job_of(schedule: Schedule, row: MemberRow, files: Files = Files()) -> Member
     """The job of one member."""
     axis = schedule.axis(row.axis)
     settings = schedule.settings
+    splits = schedule.splits_of(row.name)
     joints = {
-        face: Joints(split.joints.values, split.joints.kind)
-        for face, split in schedule.splits_of(row.name).items()
+        face: Joints(s.joints.values, s.joints.kind)
+        for face, s in splits.items()
+        if s.joints.values or s.joints.kind == "auto"
     }
+    lanes = {face: Lanes(s.lanes.values, s.lanes.kind) for face, s in splits.items() if s.lanes}
     return MemberJob(
         surface_of(schedule, axis.surface, files),
         axis_input_of(axis, settings.axis_tolerance, files),
@@ -155,35 +208,77 @@ def job_of(schedule: Schedule, row: MemberRow, files: Files = Files()) -> Member
             row.roll,
             settings.transition_length,
             frame_of(axis),
+            rules.thickness_rules(settings.rule_pack),
+            *(
+                core_cut(cell, lambda name: surface_of(schedule, name, files))
+                for cell in (row.start_cut, row.end_cut)
+            ),
         ),
         PlatesInput(
             joints,
             settings.station_spacing,
             rules.joint_rules(settings.rule_pack),
             rules.forming_rules(settings.rule_pack),
+            lanes=lanes,
+            welds=rules.weld_defaults(settings.rule_pack),
+            **{
+                name: tuple(
+                    part_tables.READERS[sheet](dict(part.cells))
+                    for part in schedule.parts_of(sheet, row.name)
+                )
+                for sheet, name in PARTS.items()
+            },
         ),
+        _bed(settings),
+        row.patterns,
+    )
+
+
+def _bed(settings: Settings) -> BedInput:
+    return BedInput(
+        face=settings.bed_face,
+        plane=settings.bed_plane,
+        spacing=settings.bed_spacing,
+        height=settings.bed_height,
+        pin_pitch=settings.pin_pitch or 0.0,
+        lowest_pin=settings.lowest_pin,
+        template_pitch=settings.template_pitch,
+        clearance=settings.template_clearance,
     )
 
 
 def located(schedule: Schedule, row: MemberRow, finding: Finding) -> Finding:
     """A core finding about a member, at the cell of the schedule that causes it."""
     segment = re.match(r"segment (\d+)", finding.position)
-    if finding.code == "surface-size":
+    part = re.match(r"(diaphragm|opening|mark|piece|edge) (\d+)", finding.position)
+    if part:
+        sheet = f"{part.group(1).capitalize()}s"
+        source = schedule.parts_of(sheet, row.name)[int(part.group(2)) - 1]
+        # Slots are openings, too.
+        places = {"opening": "s", "diaphragm": "closing_face"}
+        of_opening = finding.code.startswith("opening")
+        default = places[part.group(1)] if of_opening else ""
+        column = COLUMN_OF_PART_CODE.get(finding.code, default)
+    elif finding.code.startswith("end-cut"):
+        source = row.segments[0]
+        column = f"{finding.position}_cut" if finding.position in ("start", "end") else ""
+    elif finding.code == "surface-size":
         source, column = schedule.surface(schedule.axis(row.axis).surface), "parameters"
         column = "file" if source.kind == "file" else column
     elif finding.code.startswith(("axis", "surface", "frame", "preset")):
         source, column = _axis_cell(schedule.axis(row.axis), finding)
-    elif finding.code in ("joints", "plate-too-short", "stock-too-narrow", "joints-infeasible"):
+    elif finding.code in SPLIT_CODES:
         face = re.match(r"face (\w+)", finding.position)
         splits = schedule.splits_of(row.name)
-        source, column = splits.get(face.group(1) if face else "", row), "joints"
+        source = splits.get(face.group(1) if face else "", row)
+        column = "lanes" if finding.code == "lanes" else "joints"
         if source is row:
             column = ""
     else:
         number = int(segment.group(1)) if segment else 1
         source = row.segments[min(number, len(row.segments)) - 1]
         column = COLUMN_OF_CODE.get(finding.code, "")
-    place = "" if segment else finding.position
+    place = "" if segment or part else finding.position
     message = f"{finding.object}: {finding.message}" + (f" at {place}" if place else "")
     return source.error(
         column,
@@ -222,4 +317,6 @@ def _segment(schedule: Schedule, row: SegmentRow) -> Segment:
         row.offset_y,
         row.offset_z,
         bool(cut and cut.is_ratio),
+        row.transition,
+        row.stagger,
     )

@@ -4,52 +4,25 @@
 from __future__ import annotations
 
 import datetime
-import io
-import math
-import os
-import posixpath
-import re
-import warnings
-import zipfile
-import zlib
 from dataclasses import dataclass
 from pathlib import Path
-from xml.etree import ElementTree
 
-import openpyxl
 from openpyxl.utils import get_column_letter
-from openpyxl.utils.cell import coordinate_to_tuple
-from openpyxl.utils.exceptions import InvalidFileException
 
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error
+from BendTorsionWB.exchange.csv_folder import read_folder
 from BendTorsionWB.exchange.schedule_cells import BadCell, Percent, did_you_mean
-from BendTorsionWB.exchange.schedule_columns import LATER_SHEETS, OPTIONAL_SHEETS, SHEETS
+from BendTorsionWB.exchange.schedule_columns import OPTIONAL_SHEETS, SHEETS
+from BendTorsionWB.exchange.schedule_headings import (
+    TITLE_ROWS,
+    heading_name,
+    heading_row,
+    sheet_name,
+)
+from BendTorsionWB.exchange.workbook_file import open_workbook
 
-LARGEST_UNPACKED = 200e6
-"""Bytes a workbook may unpack to."""
 MOST_CELLS = 2_000_000
 """Cells of the rectangle a sheet may span."""
-
-# What openpyxl, zipfile and the XML parser raise on damaged files; each means "unreadable".
-_DAMAGED = (
-    zipfile.BadZipFile,
-    zlib.error,
-    InvalidFileException,
-    OSError,
-    EOFError,
-    SyntaxError,
-    LookupError,
-    ValueError,
-    TypeError,
-    AttributeError,
-    ArithmeticError,
-    AssertionError,
-    RuntimeError,
-)
-_OLE_MAGIC = bytes.fromhex("D0CF11E0A1B11AE1")
-_SAVE_AS_XLSX = "save it as an Excel workbook (.xlsx) in a spreadsheet program"
-_MAIN = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
-_RELATION = "{http://schemas.openxmlformats.org/officeDocument/2006/relationships}id"
 
 
 @dataclass(frozen=True)
@@ -126,17 +99,29 @@ def read_records(path) -> tuple[dict[str, list[Record] | None], list[tuple[Place
     Raises BendTorsionError with one finding when the file cannot be opened as a workbook.
     """
     path = Path(path)
-    workbook, hollow = _open(path)
+    workbook, hollow, broken = (read_folder(path), {}, []) if path.is_dir() else open_workbook(path)
+    if broken:
+        raise BendTorsionError(
+            Place(path.name, cell.sheet, cell.row).error(
+                cell.column,
+                "not-finite",
+                "not a finite number",
+                "write a number",
+                value=shown(cell.figure),
+            )
+            for cell in broken
+        )
+    for sheet in workbook.worksheets:
+        known = sheet_name(sheet.title)
+        if known != sheet.title and known not in workbook.sheetnames:
+            hollow[known] = hollow.pop(sheet.title, {})
+            sheet.title = known
     faults: list[tuple[Place, Finding]] = []
     present = [sheet.title for sheet in workbook.worksheets]
     renamed = set()
     for title in workbook.sheetnames:
         place = Place(path.name, title)
-        if title in LATER_SHEETS:
-            mend = f"delete sheet {title}"
-            message = f"sheet {title} is not supported yet"
-            faults.append((place, place.error("", "not-supported-yet", message, mend)))
-        elif title not in SHEETS or title not in present:
+        if title not in SHEETS or title not in present:
             near = did_you_mean(title, [name for name in SHEETS if name not in present])
             renamed.add(near)
             mend = f"did you mean {near}? rename it" if near else "delete or rename it"
@@ -166,8 +151,11 @@ def _read_sheet(sheet, place, columns, hollow, faults) -> list[Record] | None:
         fields = {"value": span, "limit": MOST_CELLS, "unit": "cells"}
         faults.append((place, place.error("", "sheet-too-large", message, mend, **fields)))
         return None
-    rows = sheet.iter_rows()
-    heading = Place(place.file, place.sheet, 1)
+    names = [column.name for column in columns]
+    above = [[cell.value for cell in row] for row in sheet.iter_rows(max_row=TITLE_ROWS)]
+    top = heading_row(above, names)
+    rows = sheet.iter_rows(min_row=top, max_row=_last_row(sheet))
+    heading = Place(place.file, place.sheet, top)
     headings = [cell for cell in next(rows, ()) if _raw(cell) is not None]
     if not headings:
         names = ", ".join(column.name for column in columns if column.required)
@@ -187,10 +175,10 @@ def _read_sheet(sheet, place, columns, hollow, faults) -> list[Record] | None:
         for index in sorted(index for index in raw if index not in by_index):
             if raw[index] is not None:
                 letter = get_column_letter(index)
-                mend = "name the column in row 1 or empty the cell"
+                mend = f"name the column in row {top} or empty the cell"
                 message = "a value in a column without a known heading"
                 # A whole column under an unknown heading was reported at the heading.
-                if sheet.cell(1, index).value is None:
+                if sheet.cell(top, index).value is None:
                     fields = {"value": shown(raw[index])}
                     fault = here.error(letter, "column-unnamed", message, mend, **fields)
                     faults.append((here, fault))
@@ -205,10 +193,17 @@ def _read_sheet(sheet, place, columns, hollow, faults) -> list[Record] | None:
     return records
 
 
+def _last_row(sheet) -> int:
+    """The last row with a value: formatted empty ones below the table take no time."""
+    return max(
+        (row for (row, _), cell in sheet._cells.items() if cell.value is not None), default=1
+    )
+
+
 def _read_heading(cells, place, columns, faults):
     """Declared column by its index in the sheet, and whether every required one is there."""
     declared = {column.name: column for column in columns}
-    names = {cell.column: str(cell.value).strip() for cell in cells}
+    names = {cell.column: heading_name(cell.value, declared) for cell in cells}
     by_index, renamed = {}, set()
     for index, name in names.items():
         if name not in declared:
@@ -278,100 +273,3 @@ def _raw(cell):
     if is_number and "%" in str(cell.number_format):
         return Percent(value)
     return value
-
-
-def _open(path: Path):
-    """The workbook with cached values, and its cells that have a value element but no value."""
-
-    def refuse(code, message, mend, **fields):
-        return BendTorsionError(error(code, path.name or str(path), message, mend, **fields))
-
-    try:
-        content = path.read_bytes()
-    except FileNotFoundError:
-        mend = "check the folder and the name"
-        raise refuse("file-missing", "there is no such file", mend, value=str(path)) from None
-    except IsADirectoryError:
-        mend = "name the workbook itself"
-        raise refuse("file-unreadable", "this is a folder", mend, value=str(path)) from None
-    except OSError as reason:
-        mend = "check that you may read it and that no other program locks it"
-        message = f"the file cannot be read: {os.strerror(reason.errno or 0)}"
-        raise refuse("file-unreadable", message, mend) from None
-    if not content:
-        raise refuse("not-xlsx", "the file is empty", "restore it or write it again")
-    if content.startswith(_OLE_MAGIC):
-        if "EncryptedPackage".encode("utf-16-le") in content:
-            mend = "save it without a password"
-            raise refuse("file-encrypted", "the workbook is encrypted", mend)
-        raise refuse("not-xlsx", "an old Excel file (.xls), not a workbook (.xlsx)", _SAVE_AS_XLSX)
-    if not zipfile.is_zipfile(io.BytesIO(content)):
-        raise refuse("not-xlsx", "not an Excel workbook (.xlsx)", _SAVE_AS_XLSX)
-    hollow = None
-    try:
-        with zipfile.ZipFile(io.BytesIO(content)) as archive:
-            unpacked = sum(item.file_size for item in archive.infolist())
-            if unpacked > LARGEST_UNPACKED:
-                fields = {"value": unpacked, "limit": int(LARGEST_UNPACKED), "unit": "bytes"}
-                mend = "split the schedule into several files"
-                raise refuse("file-too-large", "the workbook unpacks to too much", mend, **fields)
-            if any(item.flag_bits & 1 for item in archive.infolist()):
-                mend = "save it without a password"
-                raise refuse("file-encrypted", "the workbook is encrypted", mend)
-            if "xl/workbook.xml" not in archive.namelist():
-                message = "not an Excel workbook (.xlsx)"
-                raise refuse("not-xlsx", message, _SAVE_AS_XLSX)
-            hollow, broken = _scan_cells(archive, path.name)
-            if broken:
-                raise BendTorsionError(broken)
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore")
-                workbook = openpyxl.load_workbook(io.BytesIO(content), data_only=True)
-    except _DAMAGED as reason:
-        message = f"the workbook is damaged ({type(reason).__name__})"
-        raise refuse("file-unreadable", message, f"open it and {_SAVE_AS_XLSX}") from None
-    return workbook, hollow
-
-
-def _scan_cells(archive: zipfile.ZipFile, file: str):
-    """Cells openpyxl reads as empty though they are not, and numeric cells it would fail on.
-
-    Returns {sheet: {(row, column): 'formula' | 'number'}} (a formula without its cached value, or
-    an empty number, which is how programs write NaN) and findings of numbers that are none.
-    """
-    book = ElementTree.fromstring(archive.read("xl/workbook.xml"))
-    relations = ElementTree.fromstring(archive.read("xl/_rels/workbook.xml.rels"))
-    targets = {relation.get("Id"): relation.get("Target") for relation in relations}
-    hollow: dict[str, dict[tuple[int, int], str]] = {}
-    broken = []
-    for sheet in book.iter(f"{_MAIN}sheet"):
-        title = sheet.get("name")
-        part = posixpath.normpath(posixpath.join("/xl", targets[sheet.get(_RELATION)]))[1:]
-        holes = hollow.setdefault(title, {})
-        with archive.open(part) as stream:
-            for _, element in ElementTree.iterparse(stream):
-                if element.tag != f"{_MAIN}c":
-                    continue
-                figure = element.findtext(f"{_MAIN}v")
-                kind = element.get("t", "n")
-                where = element.get("r")
-                if where and not figure and element.find(f"{_MAIN}f") is not None:
-                    holes[coordinate_to_tuple(where)] = "formula"
-                elif where and kind == "n" and figure is not None and not figure.strip():
-                    holes[coordinate_to_tuple(where)] = "number"
-                elif where and kind == "n" and figure and not _is_number(figure):
-                    letters, row = re.fullmatch(r"([A-Z]+)([0-9]+)", where).groups()
-                    place = Place(file, title, int(row))
-                    message = "not a finite number"
-                    fields = {"value": shown(figure)}
-                    fault = place.error(letters, "not-finite", message, "write a number", **fields)
-                    broken.append(fault)
-                element.clear()
-    return hollow, broken
-
-
-def _is_number(figure: str) -> bool:
-    try:
-        return math.isfinite(float(figure))
-    except ValueError:
-        return False

@@ -5,6 +5,7 @@ same bytes."""
 from __future__ import annotations
 
 import hashlib
+import itertools
 import re
 import uuid
 import zipfile
@@ -14,13 +15,20 @@ TIME = "1980-01-01T00:00:00Z"
 
 
 def timeless_step(content: bytes, name: str, software: str) -> bytes:
-    """A STEP file with its header's file name, time stamp and origin replaced."""
+    """A STEP file with its header's file name, time stamp and origin replaced, and the numbers of
+    its parts counted from 1 in each file, not through all files of the process."""
     header, separator, rest = content.partition(b"DATA;")
     header = re.sub(
         rb"FILE_NAME\(.*?\);",
         f"FILE_NAME('{name}','{TIME[:-1]}',(''),(''),'{software}','FreeCAD','');".encode(),
         header,
         flags=re.DOTALL,
+    )
+    numbers = itertools.count(1)
+    rest = re.sub(
+        rb"(NEXT_ASSEMBLY_USAGE_OCCURRENCE\(')\d+",
+        lambda match: match.group(1) + b"%d" % next(numbers),
+        rest,
     )
     return header + separator + rest
 
@@ -43,6 +51,8 @@ def _timeless_xml(text: str) -> str:
         text = re.sub(
             rf'(<Property name="{stamp}"[^>]*>\s*<String value=")[^"]*', rf"\g<1>{TIME}", text
         )
+    # A link to another document keeps the time that one was saved.
+    text = re.sub(r'(<XLink file="[^"]+" stamp=")[^"]*', rf"\g<1>{TIME}", text)
     # Objects count their ids on from a random number.
     numbers = [int(n) for n in re.findall(r'<Object type="[^"]*" name="[^"]*" id="(\d+)"', text)]
     first = min(numbers, default=1)

@@ -51,6 +51,16 @@ def write_whole(path: str | os.PathLike, content: bytes) -> None:
         part.write_bytes(content)
 
 
+def write_changed(path: str | os.PathLike, content: bytes) -> None:
+    """As write_whole, but a file that holds this already stays as it is."""
+    try:
+        if Path(path).read_bytes() == content:
+            return
+    except OSError:
+        pass
+    write_whole(path, content)
+
+
 def _not_written(path: Path, failure: OSError):
     mend = _MENDS.get(failure.errno, "check that the folder exists and can be written to")
     return error(

@@ -36,11 +36,13 @@ _HEAD = '<?xml version="1.0" encoding="UTF-8" standalone="yes"?>\n'
 
 @dataclass(frozen=True)
 class Column:
-    """A column: its machine-readable name, number format and width in characters."""
+    """A column: its machine-readable name, number format, width in characters, and unit. The cell
+    of the heading holds the name alone; its number format shows the unit behind it."""
 
     name: str
     format: str = TENTH
     width: float = 12.0
+    unit: str = ""
 
 
 @dataclass(frozen=True)
@@ -61,8 +63,9 @@ def xlsx_bytes(tables: Sequence[Table], title: str = "") -> bytes:
     """The xlsx file of `tables` in their order. Every text is a string cell, never a formula."""
     strings: dict[str, int] = {}
     sheets, heights = [], []
+    units = list(dict.fromkeys(c.unit for table in tables for c in table.columns if c.unit))
     for table in tables:
-        xml, height = _sheet(table, strings)
+        xml, height = _sheet(table, strings, units)
         sheets.append(xml)
         heights.append(height)
     stream = io.BytesIO()
@@ -73,7 +76,7 @@ def xlsx_bytes(tables: Sequence[Table], title: str = "") -> bytes:
             ("docProps/core.xml", _core(title)),
             ("xl/workbook.xml", _workbook(tables, heights)),
             ("xl/_rels/workbook.xml.rels", _relations(len(tables))),
-            ("xl/styles.xml", _styles()),
+            ("xl/styles.xml", _styles(units)),
             *((f"xl/worksheets/sheet{n}.xml", xml) for n, xml in enumerate(sheets, start=1)),
             ("xl/sharedStrings.xml", _shared_strings(strings)),
         ):
@@ -84,7 +87,7 @@ def xlsx_bytes(tables: Sequence[Table], title: str = "") -> bytes:
     return stream.getvalue()
 
 
-def _sheet(table: Table, strings: dict[str, int]) -> tuple[str, int]:
+def _sheet(table: Table, strings: dict[str, int], units: Sequence[str]) -> tuple[str, int]:
     """XML of a sheet, and the number of the table's last row."""
     letters = [_letters(index) for index in range(len(table.columns))]
     styles = [
@@ -92,8 +95,11 @@ def _sheet(table: Table, strings: dict[str, int]) -> tuple[str, int]:
         for column in table.columns
     ]
     number = 1
+    heads = {"": _HEADER_STYLE}
+    heads |= {unit: _FIRST_NUMBER_STYLE + len(_FORMATS) + k for k, unit in enumerate(units)}
     header = "".join(
-        f'<c r="{letter}1" s="{_HEADER_STYLE}" t="s"><v>{_string(column.name, strings)}</v></c>'
+        f'<c r="{letter}1" s="{heads[column.unit]}" t="s">'
+        f"<v>{_string(column.name, strings)}</v></c>"
         for letter, column in zip(letters, table.columns)
     )
     rows = [f'<row r="1">{header}</row>']
@@ -162,11 +168,16 @@ def _shared_strings(strings: dict[str, int]) -> str:
     return f'{_HEAD}<sst xmlns="{_MAIN}" uniqueCount="{len(strings)}">{items}</sst>'
 
 
-def _styles() -> str:
+def _styles(units: Sequence[str]) -> str:
     custom = [format for format in _FORMATS if format != WHOLE]
     codes = "".join(
         f'<numFmt numFmtId="{n}" formatCode="{format}"/>'
         for n, format in enumerate(custom, start=164)
+    )
+    first = 164 + len(custom)
+    codes += "".join(
+        f'<numFmt numFmtId="{n}" formatCode="@&quot; ({escape(unit)})&quot;"/>'
+        for n, unit in enumerate(units, start=first)
     )
     identity = {WHOLE: 1, **{format: n for n, format in enumerate(custom, start=164)}}
     plain = 'fontId="0" fillId="0" borderId="0" xfId="0"'
@@ -180,9 +191,15 @@ def _styles() -> str:
             f'<xf numFmtId="{identity[format]}" {plain} applyNumberFormat="1"/>'
             for format in _FORMATS
         ),
+        *(
+            f'<xf numFmtId="{n}" fontId="1" fillId="2" borderId="0" xfId="0" applyFont="1" '
+            'applyFill="1" applyNumberFormat="1"/>'
+            for n in range(first, first + len(units))
+        ),
     ]
+    count = len(custom) + len(units)
     return (
-        f'{_HEAD}<styleSheet xmlns="{_MAIN}"><numFmts count="{len(custom)}">{codes}</numFmts>'
+        f'{_HEAD}<styleSheet xmlns="{_MAIN}"><numFmts count="{count}">{codes}</numFmts>'
         '<fonts count="2"><font><sz val="10"/><name val="Arial"/></font>'
         '<font><b/><sz val="10"/><name val="Arial"/></font></fonts>'
         '<fills count="3"><fill><patternFill patternType="none"/></fill>'

@@ -1,72 +1,111 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The dialog that asks for one box section: type, height, breadth and plate thickness."""
+"""The dialog that asks what members from a selection are: section, alignment, first number."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import FreeCAD
-import FreeCADGui
 
+from BendTorsionWB.gui.alignment_picker import AlignmentPicker
+from BendTorsionWB.gui.preferences import preferred
+from BendTorsionWB.gui.property_form import quantity_field
 from BendTorsionWB.gui.qt import QtCore, QtWidgets
 
 translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
-TYPES = (("box1", "Webs full height"), ("box2", "Flanges full breadth"))
-DIMENSIONS = (
-    ("h", "Height h", 600.0),
-    ("b", "Breadth b", 600.0),
-    ("t", "Thickness t", 16.0),
+TYPES = (
+    ("box1", QT_TRANSLATE_NOOP("BendTorsion", "Webs full height")),
+    ("box2", QT_TRANSLATE_NOOP("BendTorsion", "Flanges full breadth")),
 )
+DIMENSIONS = (
+    ("h", QT_TRANSLATE_NOOP("BendTorsion", "Height h"), "Height"),
+    ("b", QT_TRANSLATE_NOOP("BendTorsion", "Breadth b"), "Breadth"),
+    ("t", QT_TRANSLATE_NOOP("BendTorsion", "Thickness t"), "Thickness"),
+)
+LEAST = 0.1
 
 
 @dataclass(frozen=True)
 class SectionChoice:
-    """A box section as typed in: type `box1` or `box2`, lengths in mm."""
+    """What was typed in: type `box1` or `box2`, lengths in mm, alignment, number of the first."""
 
     type: str
     h: float
     b: float
     t: float
+    align: str = "centre"
+    first: int = 1
 
 
 class SectionDialog(QtWidgets.QDialog):
-    """Asks for a section; `choice()` is what the fields hold."""
+    """Asks what the members are; `choice()` is what the fields hold."""
 
-    def __init__(self, parent=None):
+    def __init__(self, parent=None, first: int = 1, count: int = 1):
         super().__init__(parent)
-        self.setWindowTitle(translate("BendTorsion", "Section of the new members"))
+        self.setWindowTitle(translate("BendTorsion", "Members from selection"))
+        self.count = count
         self.type = QtWidgets.QComboBox()
         for name, meaning in TYPES:
             self.type.addItem(f"{name}: {translate('BendTorsion', meaning)}", name)
         form = QtWidgets.QFormLayout()
         form.addRow(translate("BendTorsion", "Type"), self.type)
         self.fields = {}
-        for name, label, value in DIMENSIONS:
-            field = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
-            field.setProperty("unit", "mm")
-            field.setProperty("minimum", 0.1)
-            field.setProperty("rawValue", value)
+        self.type.setCurrentIndex(self.type.findData(preferred("SectionType")))
+        for name, label, preference in DIMENSIONS:
+            field = quantity_field(preferred(preference), "mm", LEAST)
+            field.valueChanged.connect(self._judge)
             form.addRow(translate("BendTorsion", label), field)
             self.fields[name] = field
-        buttons = QtWidgets.QDialogButtonBox(
+        self.align = AlignmentPicker()
+        form.addRow(translate("BendTorsion", "On the axis"), self.align)
+        self.first = QtWidgets.QSpinBox()
+        self.first.setRange(1, 99999)
+        self.first.setValue(first)
+        self.first.valueChanged.connect(self._judge)
+        form.addRow(translate("BendTorsion", "First number"), self.first)
+        self.words = QtWidgets.QLabel()
+        self.words.setWordWrap(True)
+        self.buttons = QtWidgets.QDialogButtonBox(
             QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel,
             QtCore.Qt.Horizontal,
         )
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
+        self.buttons.accepted.connect(self.accept)
+        self.buttons.rejected.connect(self.reject)
         layout = QtWidgets.QVBoxLayout(self)
         layout.addLayout(form)
-        layout.addWidget(buttons)
+        layout.addWidget(self.words)
+        layout.addWidget(self.buttons)
+        self._judge()
+        self.fields["h"].setFocus()
 
     def choice(self) -> SectionChoice:
-        """The section the fields hold."""
+        """What the fields hold."""
         lengths = {name: float(field.property("rawValue")) for name, field in self.fields.items()}
-        return SectionChoice(type=self.type.currentData(), **lengths)
+        return SectionChoice(
+            self.type.currentData(),
+            **lengths,
+            align=self.align.value,
+            first=self.first.value(),
+        )
+
+    def _judge(self, _=None) -> None:
+        """Say what will be made, or what is wrong, and allow OK accordingly."""
+        given = self.choice()
+        if 2.0 * given.t >= min(given.h, given.b):
+            text = translate("BendTorsion", "The plates do not fit: 2 t must be less than h and b")
+            color = "color: #c62828;"
+        else:
+            text = translate("BendTorsion", "{count} members from M{first} on, cut into plates")
+            text, color = text.format(count=self.count, first=given.first), ""
+        self.words.setText(text)
+        self.words.setStyleSheet(color)
+        self.buttons.button(QtWidgets.QDialogButtonBox.Ok).setEnabled(not color)
 
 
-def ask(parent=None) -> SectionChoice | None:
-    """Show the dialog; the section chosen, or None when it is cancelled."""
-    dialog = SectionDialog(parent)
+def ask(parent=None, first: int = 1, count: int = 1) -> SectionChoice | None:
+    """Show the dialog; what was chosen, or None when it is cancelled."""
+    dialog = SectionDialog(parent, first, count)
     accepted = dialog.exec_() if hasattr(dialog, "exec_") else dialog.exec()
     return dialog.choice() if accepted else None

@@ -1,51 +1,130 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the user picked, sorted into one face and the curves that lie on it."""
+"""What the user picked, sorted into surfaces, curves, points and BendTorsion objects."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-from BendTorsionWB.core.finding import BendTorsionError, error
+import FreeCADGui
 
-MEND = "select one face, then one or more curves on it"
+from BendTorsionWB.core.finding import BendTorsionError, error
+from BendTorsionWB.gui.chains import chains
+from BendTorsionWB.gui.tree import LINKED_ABOVE
+
+FACE_AND_CURVES = "select one face, then one or more curves on it"
+_CHAIN = {
+    "Member": {"Member", "PlateSet", "Unfold", "SheetSet", "AssemblyBed"},
+    "PlateSet": {"PlateSet", "Member", "Unfold", "SheetSet", "AssemblyBed"},
+    "Unfold": {"Unfold", "SheetSet", "PlateSet", "Member", "AssemblyBed"},
+}
+"""Kinds that stand for another kind of the same member."""
 
 
 @dataclass(frozen=True)
-class FaceAndCurves:
-    """One face and its curves, each as (document object, sub-element name)."""
+class Picked:
+    """A selection: faces and curves as (object, names), one entry per surface and per chain of
+    curves; points; BendTorsion objects in the order picked; plain shapes with nothing of these."""
 
-    face: tuple
-    edges: tuple[tuple, ...]
+    faces: tuple[tuple, ...] = ()
+    curves: tuple[tuple, ...] = ()
+    points: tuple[tuple[float, float, float], ...] = ()
+    ours: tuple = ()
+    others: tuple = ()
+
+    def of_kind(self, kind: str) -> list:
+        """BendTorsion objects of a kind."""
+        return [item for item in self.ours if item.BT_Type == kind]
 
 
-def face_and_curves(picked) -> FaceAndCurves:
+def picked() -> Picked:
+    """The selection in the active document."""
+    return sort(FreeCADGui.Selection.getSelectionEx())
+
+
+def sort(items) -> Picked:
     """Sort FreeCAD selection objects (`Object`, `SubElementNames`) in the order picked.
 
-    A whole object stands for its only face when it has one, for its only edge when it has no face.
+    A whole shape with faces is one surface, one without is a curve for each chain of its edges.
+    """
+    faces, curves, points, ours, others = [], [], [], [], []
+    for item in items:
+        obj, names = item.Object, [name for name in item.SubElementNames if name]
+        if hasattr(obj, "BT_Type"):
+            ours.append(obj)
+            continue
+        shape = getattr(obj, "Shape", None)
+        if shape is None or shape.isNull():
+            others.append(obj)
+            continue
+        if not names:
+            if shape.Faces:
+                faces.append((obj, ""))
+            elif shape.Edges:
+                curves += [(obj, chain) for chain in chains(shape)]
+            elif shape.Vertexes:
+                points += [tuple(vertex.Point) for vertex in shape.Vertexes]
+            else:
+                others.append(obj)
+            continue
+        own = [name for name in names if name.startswith("Face")]
+        if own:
+            faces.append((obj, own[0] if len(own) == 1 else own))
+        curves += [(obj, name) for name in names if name.startswith("Edge")]
+        points += [
+            tuple(shape.getElement(name).Point) for name in names if name.startswith("Vertex")
+        ]
+    return Picked(tuple(faces), tuple(curves), tuple(points), tuple(ours), tuple(others))
+
+
+def surface_and_curves(given: Picked):
+    """One surface, a Surface object or (object, names), and its curves, each (object, names).
+
     Raises BendTorsionError (`selection`) that says what is missing or too much.
     """
-    faces, edges = [], []
-    for item in picked:
-        for name in item.SubElementNames or (_only_element(item.Object),):
-            kind = faces if name.startswith("Face") else edges if name.startswith("Edge") else None
-            if kind is None:
-                raise _refusal(item.Object.Label, f"{name or 'it'} is neither a face nor a curve")
-            kind.append((item.Object, name))
-    if len(faces) != 1:
-        raise _refusal("selection", f"{len(faces)} faces are selected, one is needed")
-    if not edges:
-        raise _refusal("selection", "no curve is selected")
-    return FaceAndCurves(faces[0], tuple(edges))
+    surfaces = [*given.of_kind("Surface"), *given.faces]
+    if len(surfaces) != 1:
+        raise refusal(f"{len(surfaces)} faces are selected, one is needed", FACE_AND_CURVES)
+    if not given.curves:
+        raise refusal("no curve is selected", FACE_AND_CURVES)
+    return surfaces[0], given.curves
 
 
-def _only_element(document_object) -> str:
-    shape = getattr(document_object, "Shape", None)
-    if shape is None:
-        return ""
-    if shape.Faces:
-        return "Face1" if len(shape.Faces) == 1 else ""
-    return "Edge1" if len(shape.Edges) == 1 else ""
+def of_member(given: Picked, kind: str, mend: str) -> list:
+    """The Members, PlateSets or Unfolds the selection stands for; a plate stands for its member
+    and a member for its plates. Raises BendTorsionError (`selection`) when there is none."""
+    found = []
+    for item in given.ours:
+        if item.BT_Type in _CHAIN[kind]:
+            found += [obj for obj in _along(item) if obj.BT_Type == kind]
+    found = list(dict.fromkeys(found))
+    if not found:
+        raise refusal(f"no {_WORDS[kind]} is selected", mend)
+    return found
 
 
-def _refusal(place: str, message: str) -> BendTorsionError:
-    return BendTorsionError([error("selection", place, message, mend=MEND)])
+_WORDS = {"Member": "member", "PlateSet": "member with plates", "Unfold": "member with patterns"}
+
+
+def _along(obj) -> list:
+    """An object and the others of the same member, up and down the links."""
+    chain = [obj]
+    while chain[-1].BT_Type in LINKED_ABOVE:
+        source = getattr(chain[-1], LINKED_ABOVE[chain[-1].BT_Type])
+        if source is None:
+            break
+        chain.append(source)
+    pending = [obj]
+    while pending:
+        users = [
+            user
+            for user in pending.pop().InList
+            if LINKED_ABOVE.get(getattr(user, "BT_Type", "")) and user not in chain
+        ]
+        chain += users
+        pending += users
+    return chain
+
+
+def refusal(message: str, mend: str) -> BendTorsionError:
+    """What to select instead."""
+    return BendTorsionError([error("selection", "selection", message, mend=mend)])

@@ -3,7 +3,14 @@
 
 from __future__ import annotations
 
-from BendTorsionWB.gui import resources
+import FreeCAD
+import FreeCADGui
+
+from BendTorsionWB.gui import editors, icons, legend, member_display, tree
+from BendTorsionWB.gui.qt import QtCore, QtGui
+
+translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 # Colour (red, green, blue) and transparency in per cent a new object starts with; the user's from
 # then on.
@@ -11,43 +18,146 @@ APPEARANCE = {
     "Surface": ((0.62, 0.72, 0.80), 75),
     "Member": ((0.45, 0.55, 0.65), 40),
     "PlateSet": ((0.93, 0.72, 0.26), 0),
+    "Node": ((0.78, 0.2, 0.2), 0),
     "Unfold": ((0.18, 0.44, 0.69), 0),
 }
 
 
-HIDDEN_AT_FIRST = ("SectionSpec", "Unfold", "PageOutlines")
-"""Flat patterns, pages and section outlines lie about the origin, not where the building is."""
+HIDDEN_AT_FIRST = ("SectionSpec", "Unfold", "PageOutlines", "AssemblyBed")
+"""Flat patterns, pages and section outlines lie about the origin, not where the building is; beds
+stand under the members while they are put together, not in the building."""
 
-CLAIMED = {
-    "Member": ("PlateSet",),
-    "PlateSet": ("Unfold",),
-    "Unfold": ("SheetSet",),
-    "SheetSet": ("PageOutlines",),
+_LABELS = QT_TRANSLATE_NOOP("App::Property", "Labels")
+PROPERTIES = {
+    "PlateSet": (
+        (
+            "App::PropertyBool",
+            "ShowMarks",
+            _LABELS,
+            QT_TRANSLATE_NOOP("App::Property", "Show the mark of each plate"),
+        ),
+        (
+            "App::PropertyBool",
+            "ShowPoints",
+            _LABELS,
+            QT_TRANSLATE_NOOP("App::Property", "Show station lines and the labels of L and P"),
+        ),
+    ),
+    "Axis": (
+        (
+            "App::PropertyBool",
+            "ShowFrames",
+            QT_TRANSLATE_NOOP("App::Property", "Frames"),
+            QT_TRANSLATE_NOOP("App::Property", "Show where the height of sections points"),
+        ),
+        (
+            "App::PropertyLength",
+            "FrameHeight",
+            QT_TRANSLATE_NOOP("App::Property", "Frames"),
+            QT_TRANSLATE_NOOP("App::Property", "Height of the ribbon; 0 for one that suits"),
+        ),
+    ),
 }
-"""What the tree shows below an object, of the objects that depend on it."""
+"""Properties of the view by kind of object: type, name, group, tooltip."""
+HIDDEN_BY_ERROR = "HiddenByError"
 
 
 class ViewProvider:
-    """The icon and the look of one object and what the tree shows below it; saves no state."""
+    """The icon and the look of one object, what the tree shows below it and what a double click
+    opens; its state is in the properties of the view."""
 
     def __init__(self, view):
         view.Proxy = self
+        self.attach(view)
 
     def attach(self, view):
-        """Remember the object for the tree; FreeCAD calls this for new and restored objects."""
+        """Remember the object; FreeCAD calls this for new and restored objects."""
         self.object = view.Object
+        present = view.PropertiesList
+        for kind, name, group, tooltip in PROPERTIES.get(self.object.BT_Type, ()):
+            if name not in present:
+                view.addProperty(kind, name, group, tooltip)
+        if HIDDEN_BY_ERROR not in present:
+            view.addProperty("App::PropertyBool", HIDDEN_BY_ERROR, "Base", "")
+            view.setEditorMode(HIDDEN_BY_ERROR, 2)
+
+    def updateData(self, obj, name):
+        """Follow the shape, the colours and the findings of the object."""
+        view = obj.ViewObject
+        if name == "Shape":
+            hide_when_empty(obj)
+            self._draw(view)
+        if name in ("Shape", "Colours"):
+            paint(obj)
+        if name in ("Legend", "ColourBy"):
+            legend.schedule(obj.Document)
+        if name == tree.LINKED_ABOVE.get(obj.BT_Type):
+            QtCore.QTimer.singleShot(0, lambda at=(obj.Document.Name, obj.Name): _fold(*at))
+        if name == "Findings":
+            for item in (obj, *tree.parents(obj)):
+                item.ViewObject.signalChangeIcon()
+
+    def onChanged(self, view, name):
+        """Follow what is switched in the view's properties."""
+        obj = getattr(self, "object", None)
+        if obj is None:
+            return
+        if name == "Visibility":
+            hide_when_empty(obj)
+        if name in ("Visibility", "ShowMarks", "ShowPoints", "ShowFrames", "FrameHeight"):
+            self._draw(view)
+        if name == "Visibility" and "ColourBy" in obj.PropertiesList:
+            legend.schedule(obj.Document)
+
+    def onDelete(self, view, names):
+        """The legend goes with what it explains; the object may."""
+        if "ColourBy" in self.object.PropertiesList:
+            legend.schedule(self.object.Document)
+        return True
 
     def claimChildren(self):
         """The objects the tree shows below this one."""
         obj = getattr(self, "object", None)
-        if obj is None:
-            return []
-        kinds = CLAIMED.get(obj.BT_Type, ())
-        return [user for user in obj.InList if getattr(user, "BT_Type", "") in kinds]
+        return [] if obj is None else tree.children(obj)
 
     def getIcon(self):
-        """Path of the icon in the tree."""
-        return resources.icon("BendTorsion")
+        """The icon in the tree, with a badge for the worst finding of the object and all below."""
+        obj = getattr(self, "object", None)
+        return icons.icon_of(obj.BT_Type, tree.worst(obj)) if obj is not None else ""
+
+    def doubleClicked(self, view):
+        """Edit the object in its task panel; what has none is left to FreeCAD."""
+        if self.object.BT_Type not in editors.PANELS:
+            return False
+        FreeCADGui.getDocument(self.object.Document.Name).setEdit(self.object.Name)
+        return True
+
+    def setEdit(self, view, mode=0):
+        """Open the task panel; no other mode of editing is known."""
+        panel = editors.edit_panel(self.object) if mode == 0 else None
+        if panel is None:
+            return False if mode == 0 else None
+        self.panel = panel
+        panel.show()
+        return True
+
+    def unsetEdit(self, view, mode=0):
+        """Editing ends: an open panel is cancelled."""
+        panel = self.__dict__.pop("panel", None)
+        if panel is not None:
+            panel.reject()
+        return True
+
+    def setupContextMenu(self, view, menu):
+        """What to show of a member."""
+        if self.object.BT_Type != "Member":
+            return
+        for mode, text in member_display.MODES.items():
+            action = QtGui.QAction(translate("BendTorsion", text), menu)
+            action.triggered.connect(
+                lambda checked=False, mode=mode: member_display.show_as([self.object], mode)
+            )
+            menu.addAction(action)
 
     def dumps(self):
         """Nothing to save."""
@@ -59,6 +169,26 @@ class ViewProvider:
 
     __getstate__ = dumps
     __setstate__ = loads
+
+    def _draw(self, view) -> None:
+        """Labels and ribbons beside the shape, made when they are first to be seen."""
+        wanted = {
+            name
+            for name in ("ShowMarks", "ShowPoints", "ShowFrames")
+            if getattr(view, name, False) and view.Visibility
+        }
+        if not wanted and not hasattr(self, "beside"):
+            return
+        from BendTorsionWB.gui import beside_shape
+
+        if not hasattr(self, "beside"):
+            self.beside = beside_shape.holder(view)
+        beside_shape.fill(self.beside, self.object, wanted, _frame_height(view))
+
+
+def _frame_height(view) -> float:
+    height = getattr(view, "FrameHeight", None)
+    return height.Value if height is not None else 0.0
 
 
 def attach(obj) -> None:
@@ -75,6 +205,58 @@ def attach(obj) -> None:
         view.ShapeColor = colour
         view.Transparency = transparency
     view.Visibility = _shown(obj)
+    paint(obj)
+
+
+def hide_when_empty(obj) -> None:
+    """Hide an object whose shape is empty, because of an error, and show it again once it has one.
+
+    FreeCAD reports a fault of its own for a visible empty shape, and would leave the old picture.
+    """
+    view = obj.ViewObject
+    shape = getattr(obj, "Shape", None)
+    if view is None or not hasattr(view, HIDDEN_BY_ERROR) or shape is None or shape.isNull():
+        return
+    empty = not shape.SubShapes
+    if empty == view.Visibility and (empty or getattr(view, HIDDEN_BY_ERROR)):
+        setattr(view, HIDDEN_BY_ERROR, empty)
+        view.Visibility = not empty
+        # While FreeCAD tells of a change this spares the shape only; the picture follows later.
+        QtCore.QTimer.singleShot(0, lambda at=(obj.Document.Name, obj.Name): _follow(*at))
+
+
+def _follow(document: str, name: str) -> None:
+    """Show or hide an object in the 3D view as its view's Visibility says."""
+    found = FreeCAD.listDocuments().get(document)
+    obj = found.getObject(name) if found is not None else None
+    if obj is not None:
+        obj.Visibility = obj.ViewObject.Visibility
+        obj.ViewObject.show() if obj.Visibility else obj.ViewObject.hide()
+
+
+def _fold(document: str, name: str) -> None:
+    """Have the tree ask the object above for what is folded below it: FreeCAD does when it
+    changes, and a new child is no change of it."""
+    found = FreeCAD.listDocuments().get(document)
+    obj = found.getObject(name) if found is not None else None
+    for item in tree.parents(obj)[:1] if obj is not None else ():
+        # An output: written anew, it asks for no recompute.
+        item.Findings = item.Findings
+
+
+def paint(obj) -> None:
+    """Give plates and patterns the colours their object says, or the view's own again."""
+    view, colours = obj.ViewObject, getattr(obj, "Colours", None)
+    if colours is None or view is None:
+        return
+    # Solids and patterns have faces; colours of lines FreeCAD loses while they are hidden.
+    parts = obj.Shape.SubShapes
+    if len(parts) != len(colours):
+        view.DiffuseColor = [view.ShapeColor]
+        return
+    view.DiffuseColor = [
+        colour for part, colour in zip(parts, colours, strict=True) for _ in part.Faces
+    ]
 
 
 def _shown(obj) -> bool:

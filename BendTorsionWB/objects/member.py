@@ -7,15 +7,18 @@ import math
 
 import numpy as np
 
-from BendTorsionWB.core import detailing, zones
+from BendTorsionWB.core import detailing, segment
 from BendTorsionWB.core.axis import Axis
 from BendTorsionWB.core.axis_places import cut_place
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.core.frames import torsion_angle
+from BendTorsionWB.core.thickness import USUAL_RULES, ThicknessRules
+from BendTorsionWB.core.zone_table import zone_records
 from BendTorsionWB.objects import axis as axis_object
+from BendTorsionWB.objects import end_cuts
 from BendTorsionWB.objects import section_spec as section_object
 from BendTorsionWB.objects.proxy import Property, Proxy, add_property, linked
-from BendTorsionWB.shapes import brep
+from BendTorsionWB.shapes import brep, cut_solid
 
 _DISTANCE = "App::PropertyDistance"
 
@@ -43,7 +46,28 @@ class Member(Proxy):
             "Member",
             "Transition length from the largest step of a face, or from the total change",
             "face",
-            zones.TRANSITION_LENGTHS,
+            segment.TRANSITION_LENGTHS,
+        ),
+        Property(
+            "App::PropertyLength",
+            "JointStagger",
+            "Thickness changes",
+            "Least distance between the thickness joints of adjacent faces",
+            USUAL_RULES.stagger,
+        ),
+        Property(
+            "App::PropertyLength",
+            "FoldClearance",
+            "Thickness changes",
+            "Least distance of a staggered thickness joint from a fold",
+            USUAL_RULES.fold_clearance,
+        ),
+        Property(
+            "App::PropertyFloat",
+            "ChamferSlope",
+            "Thickness changes",
+            "Length of the chamfer of the thicker plate over its depth; 0 for none",
+            USUAL_RULES.chamfer_slope,
         ),
         Property(
             "App::PropertyInteger",
@@ -52,7 +76,15 @@ class Member(Proxy):
             "Where members meet the lower rank runs through",
             0,
         ),
+        *end_cuts.PROPERTIES,
         Property("App::PropertyLength", "Length", "Result", "Length of the axis", output=True),
+        Property(
+            "App::PropertyArea",
+            "PaintedArea",
+            "Result",
+            "Area seen from outside, ends apart",
+            output=True,
+        ),
         Property(
             "App::PropertyAngle",
             "TotalTorsion",
@@ -64,7 +96,7 @@ class Member(Proxy):
             "App::PropertyStringList",
             "Zones",
             "Result",
-            "Constant (d) and transition (b) zones with start and end, mm",
+            "Constant (d) and transition (b) zones: start and end, mm, slope, the paper's group",
             output=True,
         ),
         Property(
@@ -89,18 +121,21 @@ class Member(Proxy):
     def build(self, obj):
         geometry = value(obj)
         member = geometry.member
-        tubes = [
-            [(p.knots, p.poles) for p in tube] for tube in detailing.member_skins(geometry).tubes
-        ]
-        obj.Shape = brep.compound(brep.tube_solids(tubes))
+        obj.Shape = brep.compound(cut_solid.member_solids(geometry))
         obj.Length = member.length
+        obj.PaintedArea = detailing.painted_area(geometry)
         obj.TotalTorsion = float(np.degrees(torsion_angle(member.frames)[1][-1]))
-        obj.Zones = [f"{c.label} {c.start:.3f} {c.end:.3f}" for c in member.law.cells]
+        obj.Zones = [_zone_line(zone) for zone in zone_records(member.law)]
         obj.FaceSteps = [
             f"top {s.top:+.3f} bottom {s.bottom:+.3f} left {s.left:+.3f} right {s.right:+.3f}"
             for s in member.law.face_steps
         ]
         return geometry.findings
+
+
+def _zone_line(zone) -> str:
+    slope = f" 1:{zone.slope:.4g}" if zone.slope else ""
+    return f"{zone.label} {zone.start:.3f} {zone.end:.3f}{slope} {zone.group}"
 
 
 def segment_properties(count: int) -> tuple[Property, ...]:
@@ -109,66 +144,72 @@ def segment_properties(count: int) -> tuple[Property, ...]:
     for k in range(1, count + 1):
         group = f"Segment {k}"
         properties.append(Property("App::PropertyLink", f"Section{k}", group, "The section"))
-        if k > 1:
-            properties += [
-                Property(
-                    _DISTANCE,
-                    f"Cut{k}",
-                    group,
-                    "Where the segment starts, from the start of the axis",
-                    0.0,
-                ),
-                Property(
-                    "App::PropertyFloat",
-                    f"CutRatio{k}",
-                    group,
-                    "Where it starts as a part of the length; 0 to use the distance",
-                    0.0,
-                ),
-                Property(
-                    "App::PropertyEnumeration",
-                    f"CutBy{k}",
-                    group,
-                    "place: by Cut or CutRatio; crossing: where CutAxis crosses; point: nearest "
-                    "to CutPoint",
-                    "place",
-                    CUT_BY,
-                ),
-                Property("App::PropertyLink", f"CutAxis{k}", group, "The crossing axis"),
-                Property("App::PropertyVector", f"CutPoint{k}", group, "A point near the axis, mm"),
-                Property(_DISTANCE, f"CutOffset{k}", group, "Moves the cut along the axis", 0.0),
-                Property(
-                    "App::PropertyFloat",
-                    f"Slope{k}",
-                    group,
-                    "Length of the transition per millimetre of step; 0 for a step",
-                    zones.DEFAULT_SLOPE,
-                ),
-                Property(
-                    "App::PropertyEnumeration",
-                    f"Transition{k}",
-                    group,
-                    "Linear, with a fold at each end, or smooth over the same length",
-                    "linear",
-                    zones.TRANSITIONS,
-                ),
-            ]
         properties += [
+            Property(
+                _DISTANCE,
+                f"Cut{k}",
+                group,
+                "Where the transition to the segment starts, from the start of the axis; of "
+                "segment 1 on closed axes only",
+                0.0,
+            ),
+            Property(
+                "App::PropertyFloat",
+                f"CutRatio{k}",
+                group,
+                "Where it starts as a part of the length; 0 to use the distance",
+                0.0,
+            ),
+            Property(
+                "App::PropertyEnumeration",
+                f"CutBy{k}",
+                group,
+                "place: by Cut or CutRatio; crossing: where CutAxis crosses; point: nearest "
+                "to CutPoint",
+                "place",
+                CUT_BY,
+            ),
+            Property("App::PropertyLink", f"CutAxis{k}", group, "The crossing axis"),
+            Property("App::PropertyVector", f"CutPoint{k}", group, "A point near the axis, mm"),
+            Property(_DISTANCE, f"CutOffset{k}", group, "Moves the cut along the axis", 0.0),
+            Property(
+                "App::PropertyFloat",
+                f"Slope{k}",
+                group,
+                "Length of the transition per millimetre of step; 0 for a step",
+                segment.DEFAULT_SLOPE,
+            ),
+            Property(
+                "App::PropertyEnumeration",
+                f"Transition{k}",
+                group,
+                "Linear, with a fold at each end, or smooth over the same length",
+                "linear",
+                segment.TRANSITIONS,
+            ),
+            Property(
+                "App::PropertyString",
+                f"Stagger{k}",
+                group,
+                "Offsets of the faces' thickness joints: auto, none, or mm such as top=0 left=200",
+                "auto",
+            ),
             Property(
                 "App::PropertyEnumeration",
                 f"Align{k}",
                 group,
                 "What lies on the axis, or is flush with the segment before",
                 "centre",
-                zones.ALIGNMENTS,
+                segment.ALIGNMENTS,
             ),
             Property(
                 "App::PropertyEnumeration",
                 f"AlignTo{k}",
                 group,
-                "Align to the axis or to the previous segment",
+                "Align to the axis, to the previous segment, or hold the top or bottom face at "
+                "the offset from the surface itself",
                 "axis",
-                zones.ALIGN_TO,
+                segment.ALIGN_TO,
             ),
             Property(_DISTANCE, f"OffsetY{k}", group, "Offset along the breadth", 0.0),
             Property(_DISTANCE, f"OffsetZ{k}", group, "Offset along the height", 0.0),
@@ -200,30 +241,29 @@ def value(obj) -> detailing.MemberGeometry:
         math.radians(obj.Roll.Value),
         obj.TransitionLength,
         axis_object.frame_value(target),
+        ThicknessRules(obj.JointStagger.Value, obj.FoldClearance.Value, obj.ChamferSlope),
+        *end_cuts.end_cuts(obj),
     )
     return detailing.member_of(given, axis, axis_object.surface_value(target))
 
 
-def _segment(obj, k: int, axis: Axis) -> zones.Segment:
-    section = section_object.value(linked(obj, f"Section{k}", "SectionSpec"))
-    cut, is_ratio, slope, transition = 0.0, False, zones.DEFAULT_SLOPE, "linear"
-    if k > 1:
-        cut, is_ratio = _cut(obj, k, axis)
-        slope, transition = getattr(obj, f"Slope{k}"), getattr(obj, f"Transition{k}")
-    return zones.Segment(
-        section,
+def _segment(obj, k: int, axis: Axis) -> segment.Segment:
+    cut, is_ratio = cut_of(obj, k, axis)
+    return segment.Segment(
+        section_object.value(linked(obj, f"Section{k}", "SectionSpec")),
         cut,
-        slope,
+        getattr(obj, f"Slope{k}"),
         getattr(obj, f"Align{k}"),
         getattr(obj, f"AlignTo{k}"),
         getattr(obj, f"OffsetY{k}").Value,
         getattr(obj, f"OffsetZ{k}").Value,
         is_ratio,
-        transition,
+        getattr(obj, f"Transition{k}"),
+        getattr(obj, f"Stagger{k}"),
     )
 
 
-def _cut(obj, k: int, axis: Axis) -> tuple[float, bool]:
+def cut_of(obj, k: int, axis: Axis) -> tuple[float, bool]:
     """The cut before segment k, and whether it is a part of the length rather than mm."""
     by, offset = getattr(obj, f"CutBy{k}"), getattr(obj, f"CutOffset{k}").Value
     if by == "crossing":

@@ -138,8 +138,11 @@ class Proxy(ABC):
 
 
 def add_property(obj, declared: Property) -> None:
-    """Add a declared property unless the object has it."""
+    """Add a declared property unless the object has it; an enumeration saved when there were
+    fewer choices gets the new ones."""
     if declared.name in obj.PropertiesList:
+        if declared.choices:
+            _complete_choices(obj, declared)
         return
     attributes = READ_ONLY | OUTPUT if declared.output else 0
     obj.addProperty(declared.type, declared.name, declared.group, declared.tooltip, attributes)
@@ -147,6 +150,15 @@ def add_property(obj, declared: Property) -> None:
         setattr(obj, declared.name, list(declared.choices))
     if declared.default is not None:
         setattr(obj, declared.name, declared.default)
+
+
+def _complete_choices(obj, declared: Property) -> None:
+    choices = list(declared.choices)
+    if obj.getEnumerationsOfProperty(declared.name) != choices:
+        chosen = getattr(obj, declared.name)
+        setattr(obj, declared.name, choices)
+        if chosen in choices:
+            setattr(obj, declared.name, chosen)
 
 
 def check_numbers(obj, declared: Iterable[Property]) -> None:
@@ -178,6 +190,8 @@ def clear_outputs(obj, declared: Iterable[Property]) -> None:
                 setattr(obj, item.name, "")
             elif item.type == "App::PropertyInteger":
                 setattr(obj, item.name, 0)
+            elif item.type == "App::PropertyVector":
+                setattr(obj, item.name, FreeCAD.Vector())
             else:
                 setattr(obj, item.name, 0.0)
     if hasattr(obj, "Shape"):

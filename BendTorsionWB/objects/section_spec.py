@@ -200,14 +200,6 @@ class SectionSpec(Proxy):
         ),
     )
 
-    def set_up(self, obj):
-        """Complete the properties; a file saved when there were fewer types gets the new ones."""
-        super().set_up(obj)
-        if obj.getEnumerationsOfProperty("Type") != list(TYPES):
-            chosen = obj.Type
-            obj.Type = list(TYPES)
-            obj.Type = chosen
-
     def build(self, obj):
         section = value(obj)
         rings = [section.corners] if section.closed else section_polygons(section).tolist()

@@ -9,15 +9,27 @@ objects removed during a recompute, removes them again after an undo, and crashe
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 
 import FreeCAD
 import Part
 
+from BendTorsionWB.core.detailing import with_beds
 from BendTorsionWB.core.finding import BendTorsionError, error, has_error
 from BendTorsionWB.core.lofting import MemberRecord
 from BendTorsionWB.core.sheet import Sheet
 from BendTorsionWB.core.sheet_layout import member_sheets
+from BendTorsionWB.core.sheet_style import (
+    FORMATS,
+    LANGUAGES,
+    LENGTH_UNITS,
+    PLAIN_STYLE,
+    STANDARDS,
+    SheetStyle,
+)
+from BendTorsionWB.core.site import UNITS, SiteDatum
+from BendTorsionWB.objects.assembly_bed import value as beds_of_object
 from BendTorsionWB.objects.proxy import Property, Proxy, findings_of, linked
 from BendTorsionWB.sheets.techdraw import (
     configure_outline_view,
@@ -31,13 +43,42 @@ from BendTorsionWB.sheets.techdraw import (
 
 def sheets_of(sheet_set) -> tuple[Sheet, ...]:
     """The sheets of a SheetSet object; one that names the fault when there is nothing to draw."""
-    return _laid_out(_record_of(sheet_set), sheet_set.Project, sheet_set.Author)
+    return _laid_out(_record_of(sheet_set), style_of(sheet_set))
+
+
+def style_of(sheet_set) -> SheetStyle:
+    """How a SheetSet's sheets are drawn."""
+    return SheetStyle(
+        sheet_set.Project,
+        sheet_set.Author,
+        sheet_set.SheetFormat,
+        sheet_set.SheetStandard,
+        sheet_set.SheetLanguage,
+        sheet_set.SheetUnit,
+        SiteDatum(
+            sheet_set.SiteX.Value,
+            sheet_set.SiteY.Value,
+            sheet_set.SiteZ.Value,
+            math.radians(sheet_set.SiteRotation.Value),
+            sheet_set.SiteUnit,
+        ),
+    )
+
+
+def set_style(sheet_set, style: SheetStyle) -> None:
+    """Have a SheetSet's sheets drawn so."""
+    sheet_set.Project, sheet_set.Author = style.project, style.author
+    sheet_set.SheetFormat, sheet_set.SheetStandard = style.format, style.standard
+    sheet_set.SheetLanguage, sheet_set.SheetUnit = style.language, style.unit
+    site = style.site
+    sheet_set.SiteX, sheet_set.SiteY, sheet_set.SiteZ = site.x, site.y, site.z
+    sheet_set.SiteRotation, sheet_set.SiteUnit = math.degrees(site.rotation), site.unit
 
 
 @lru_cache(maxsize=64)
-def _laid_out(record: MemberRecord, project: str, author: str) -> tuple[Sheet, ...]:
+def _laid_out(record: MemberRecord, style: SheetStyle) -> tuple[Sheet, ...]:
     # Every page of a set asks for the same sheets in one recompute; records are kept by the memo.
-    return member_sheets(record, project, author)
+    return member_sheets(record, style)
 
 
 def _record_of(sheet_set) -> MemberRecord:
@@ -48,7 +89,14 @@ def _record_of(sheet_set) -> MemberRecord:
         found = findings_of(unfold)
         if has_error(found):
             return _faulty(sheet_set.Label, found)
-        return member_record_of(unfold)
+        record = member_record_of(unfold)
+        if sheet_set.Bed is None:
+            return record
+        bed = linked(sheet_set, "Bed", "AssemblyBed")
+        found = findings_of(bed)
+        if has_error(found):
+            return _faulty(sheet_set.Label, found)
+        return with_beds(record, beds_of_object(bed))
     except BendTorsionError as problem:
         return _faulty(sheet_set.Label, problem.findings)
 
@@ -63,8 +111,58 @@ class SheetSet(Proxy):
     TYPE = "SheetSet"
     PROPERTIES = (
         Property("App::PropertyLink", "Unfold", "Sheets", "The flat patterns these sheets show"),
+        Property("App::PropertyLink", "Bed", "Sheets", "The assembly bed shown, if any"),
         Property("App::PropertyString", "Project", "Sheets", "Project name in the title block"),
         Property("App::PropertyString", "Author", "Sheets", "Drawn by, in the title block"),
+        Property(
+            "App::PropertyEnumeration",
+            "SheetFormat",
+            "Sheets",
+            "Size of the pages",
+            PLAIN_STYLE.format,
+            tuple(FORMATS),
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "SheetStandard",
+            "Sheets",
+            "ISO: first angle, weld symbols of ISO 2553; AWS: third angle, of AWS A2.4",
+            PLAIN_STYLE.standard,
+            STANDARDS,
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "SheetLanguage",
+            "Sheets",
+            "Language of the labels",
+            PLAIN_STYLE.language,
+            LANGUAGES,
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "SheetUnit",
+            "Sheets",
+            "Unit of dimensions and sizes",
+            PLAIN_STYLE.unit,
+            LENGTH_UNITS,
+        ),
+        Property("App::PropertyDistance", "SiteX", "Site", "The model's origin on the site"),
+        Property("App::PropertyDistance", "SiteY", "Site", "The model's origin on the site"),
+        Property("App::PropertyDistance", "SiteZ", "Site", "The model's origin on the site"),
+        Property(
+            "App::PropertyAngle",
+            "SiteRotation",
+            "Site",
+            "From the site's x axis to the model's, about the vertical",
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "SiteUnit",
+            "Site",
+            "Unit of site values on the sheets",
+            PLAIN_STYLE.site.unit,
+            tuple(UNITS),
+        ),
         Property("App::PropertyInteger", "PageCount", "Result", "Number of pages", output=True),
     )
 
@@ -127,6 +225,9 @@ class PageSymbol(Proxy):
         self.set_up(obj)
 
     def build(self, obj):
+        # TechDraw recomputes its views when a document is opened; what they show is in the file.
+        if obj.Document.Restoring and obj.Symbol:
+            return ()
         symbol = symbol_svg(_page_sheet(obj))
         if symbol != obj.Symbol:
             obj.Symbol = symbol
@@ -166,6 +267,15 @@ def _page_objects(outlines) -> list:
     return [*pages, *templates, *symbols, *views, outlines]
 
 
+def remove_pages(sheet_set) -> None:
+    """Remove all pages of a SheetSet from its document, before it goes itself."""
+    document = sheet_set.Document
+    for outlines in _members(sheet_set, "PageOutlines"):
+        for name in [obj.Name for obj in _page_objects(outlines)]:
+            if document.getObject(name) is not None:
+                document.removeObject(name)
+
+
 def _whole_pages(sheet_set) -> dict[int, object]:
     """DrawPage by index. What is left of a page someone deleted is marked surplus."""
     pages = {}
@@ -197,7 +307,7 @@ def _add_page(sheet_set, index: int, sheet: Sheet):
         obj.Set, obj.Index = sheet_set, index
     outlines.Visibility = False
     page, template = add("TechDraw::DrawPage", "Page"), add("TechDraw::DrawSVGTemplate", "Template")
-    template.Template = template_path()
+    template.Template = template_path(sheet)
     page.Template = template
     view = add("TechDraw::DrawViewPart", "View")
     outlines.recompute()
@@ -214,13 +324,25 @@ def _add_page(sheet_set, index: int, sheet: Sheet):
 
 
 def _adjust_page(page, label: str, sheet: Sheet) -> None:
-    """Label and scale of a page, written only when they change."""
+    """Label, size and scale of a page, written only when they change."""
     if page.Label != label:
         page.Label = label
+    template = page.Template
+    if template is not None and _size_of(template) != (sheet.width, sheet.height):
+        template.Template = template_path(sheet)
+        for view in page.Views:
+            if view.isDerivedFrom("TechDraw::DrawViewPart"):
+                configure_outline_view(view, view.Source[0], sheet)
+            elif getattr(view, "BT_Type", "") == "PageSymbol":
+                configure_symbol(view, sheet)
     scale = 1.0 / sheet_scale(sheet)
     for view in page.Views:
         if view.isDerivedFrom("TechDraw::DrawViewPart") and abs(view.Scale / scale - 1) > 1e-12:
             view.Scale = scale
+
+
+def _size_of(template) -> tuple[float, float]:
+    return round(template.Width.Value, 3), round(template.Height.Value, 3)
 
 
 def _surplus(document) -> list:

@@ -45,6 +45,8 @@ _COMPOUND = "Co\n\n1100000\n%s*\n"
 _YZX, _ZXY = (1, 2, 0), (2, 0, 1)
 
 Piece = tuple[np.ndarray, np.ndarray]
+Cuts = tuple
+"""Per end the `cut_ring.CutRing` it is cut at, or None."""
 
 
 def tube_text(pieces: Sequence[Piece]) -> str:
@@ -64,12 +66,16 @@ def tube_solid(pieces: Sequence[Piece]) -> Part.Solid:
     return _solids(tube_text(pieces))[0]
 
 
-def tube_solids(tubes: Sequence[Sequence[Piece]]) -> list[Part.Solid]:
-    """The solids of many tubes, parsed as one text. Errors as `tube_solid`, naming `tube k`."""
+def tube_solids(
+    tubes: Sequence[Sequence[Piece]], cuts: Sequence[Cuts] | None = None
+) -> list[Part.Solid]:
+    """The solids of many tubes, parsed as one text; cuts: per tube the rings of its ends that are
+    cut. Errors as `tube_solid`, naming `tube k`."""
     if not tubes:
         return []
     text = _Text(sum(map(_shape_count, tubes)) + 1)
-    solids = [text.tube(pieces, f"tube {k}") for k, pieces in enumerate(tubes, 1)]
+    both = zip(tubes, cuts or [(None, None)] * len(tubes), strict=True)
+    solids = [text.tube(pieces, f"tube {k}", cut) for k, (pieces, cut) in enumerate(both, 1)]
     text.shape(_COMPOUND % "".join(f"+{solid} 0 " for solid in solids))
     return _solids(text.whole())
 
@@ -140,10 +146,13 @@ class _Text:
     def face(self, surface: int, wire: str) -> int:
         return self.shape(_FACE % (surface, self.shape(_WIRE % wire)))
 
-    def tube(self, pieces: Sequence[Piece], name: str) -> int:
-        """Append one tube; its solid's number."""
+    def tube(self, pieces: Sequence[Piece], name: str, cuts: Cuts = (None, None)) -> int:
+        """Append one tube; its solid's number. cuts: the rings of ends that are cut."""
         pieces = _checked(pieces, name)
         rings = np.stack([pieces[0][1][:, 0]] + [poles[:, -1] for _, poles in pieces])
+        cut = {k: own for k, own in zip((0, len(pieces)), cuts, strict=True) if own is not None}
+        for k, own in cut.items():
+            rings[k] = own.points
         outwards = _handedness(pieces, name) < 0
         count = rings.shape[1]
         following = [*range(1, count), 0]
@@ -169,40 +178,50 @@ class _Text:
         built = [self.piece(knots, poles, following) for knots, poles in pieces]
         rails, faces = zip(*built, strict=True)
         spans = [(float(knots[0]), float(knots[-1])) for knots, _ in pieces]
-        ends = [0, len(pieces)]
-        caps = self.caps(rings[ends], lengths[ends], directions[ends], name)
+        ends = [k for k in (0, len(pieces)) if k not in cut]
+        caps = self.caps(rings[ends], lengths[ends], directions[ends], name) if ends else ()
         caps = dict(zip(ends, caps, strict=True))
+        caps |= {k: (self.surface(own.surface), ()) for k, own in cut.items()}
 
         texts = [[" ".join(map(repr, point)) for point in ring] for ring in rings.tolist()]
         vertices = [[self.shape(_VERTEX % point) for point in ring] for ring in texts]
         across = []
         for k, ring in enumerate(vertices):
             row = []
-            for j, length in enumerate(lengths[k].tolist()):
+            for j, (curve, on_face, on_cap) in enumerate(cut[k].sides if k in cut else ()):
+                traces = [(on_face, faces[0 if k == 0 else -1][j]), (on_cap, caps[k][0])]
+                row.append(self.edge(curve, "0 1", traces, ring[j], ring[following[j]]))
+            for j, length in enumerate(() if k in cut else lengths[k].tolist()):
                 traces = []
                 if k > 0:
                     u = spans[k - 1][1]
-                    traces.append((_trace(u, 0, u, 1, length), faces[k - 1][j]))
+                    traces.append((trace(u, 0, u, 1, length), faces[k - 1][j]))
                 if k < len(pieces):
                     u = spans[k][0]
-                    traces.append((_trace(u, 0, u, 1, length), faces[k][j]))
+                    traces.append((trace(u, 0, u, 1, length), faces[k][j]))
                 if k in caps:
                     traces.append((caps[k][1][j], caps[k][0]))
                 line = f"1 {texts[k][j]} {' '.join(map(repr, directions[k, j].tolist()))}\n"
                 row.append(self.edge(line, f"0 {length!r}", traces, ring[j], ring[following[j]]))
             across.append(row)
+
+        def limits(k: int, j: int) -> str:
+            u0 = float(cut[0].places[j]) if k == 0 and 0 in cut else spans[k][0]
+            last = k + 1 == len(pieces) and k + 1 in cut
+            return f"{u0!r} {float(cut[k + 1].places[j]) if last else spans[k][1]!r}"
+
         along = [
             [
                 self.edge(
                     rails[k][j],
-                    f"{u0!r} {u1!r}",
+                    limits(k, j),
                     [("1 0 0 1 0\n", faces[k][j]), ("1 0 1 1 0\n", faces[k][j - 1])],
                     vertices[k][j],
                     vertices[k + 1][j],
                 )
                 for j in range(count)
             ]
-            for k, (u0, u1) in enumerate(spans)
+            for k in range(len(pieces))
         ]
         sides = [
             self.face(
@@ -214,7 +233,8 @@ class _Text:
             for j in range(count)
         ]
         start, end = [
-            self.face(caps[k][0], "".join(f"+{edge} 0 " for edge in across[k])) for k in caps
+            self.face(caps[k][0], "".join(f"+{edge} 0 " for edge in across[k]))
+            for k in sorted(caps)
         ]
         side, other = ("+", "-") if outwards else ("-", "+")
         shell = "".join(f"{side}{face} 0 " for face in (*sides, start)) + f"{other}{end} 0 "
@@ -277,7 +297,7 @@ class _Text:
                 a, b, c, d = (" ".join(map(repr, point)) for point in ring)
                 surface = f"9 0 0 0 0 1 1 2 2 2 2 {a} {d} {b} {c}\n0 2\n1 2\n0 2\n1 2\n"
                 turns = ((0, 0, 1, 0), (1, 0, 1, 1), (1, 1, 0, 1), (0, 1, 0, 0))
-                traces = [_trace(*turn, side) for turn, side in zip(turns, sides, strict=True)]
+                traces = [trace(*turn, side) for turn, side in zip(turns, sides, strict=True)]
             else:
                 raise BendTorsionError(
                     error(
@@ -294,7 +314,7 @@ class _Text:
         return out
 
 
-def _trace(u0: float, v0: float, u1: float, v1: float, length: float) -> str:
+def trace(u0: float, v0: float, u1: float, v1: float, length: float) -> str:
     """The straight pcurve from (u0, v0) to (u1, v1), run through by lengths 0 … length."""
     return f"7 0 0 1 2 2 {u0!r} {v0!r} {u1!r} {v1!r}\n0 2\n{length!r} 2\n"
 

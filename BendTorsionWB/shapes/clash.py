@@ -3,30 +3,43 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 import numpy as np
 from scipy.spatial import cKDTree
 
 from BendTorsionWB.core import tolerances
-from BendTorsionWB.core.detailing import MemberGeometry, member_skins
+from BendTorsionWB.core.detailing import MemberGeometry
 from BendTorsionWB.core.finding import Finding, error
 from BendTorsionWB.shapes import brep
+from BendTorsionWB.shapes.cut_solid import member_solids
 
 SAMPLE = 200.0
 """Distance of samples on the axes, mm."""
 
 
-def clashes(members: Mapping[str, MemberGeometry]) -> tuple[Finding, ...]:
-    """One error per member of each pair whose solids share more than SOLIDS_OVERLAP_VOLUME."""
+def clashes(
+    members: Mapping[str, MemberGeometry], met: Collection[frozenset[str]] = ()
+) -> tuple[Finding, ...]:
+    """One error per member of each pair whose solids share more than SOLIDS_OVERLAP_VOLUME.
+
+    met: pairs of members that meet at nodes, or were found not to; they are passed over.
+    """
     names = list(members)
     axes = {name: _samples(members[name]) for name in names}
     reach = {name: _reach(members[name]) for name in names}
+    low = np.array([axes[name].min(axis=0) - reach[name] for name in names]).reshape(-1, 3)
+    high = np.array([axes[name].max(axis=0) + reach[name] for name in names]).reshape(-1, 3)
     skins: dict[str, object] = {}
     findings = []
     for i, one in enumerate(names):
-        tree = cKDTree(axes[one])
-        for other in names[i + 1 :]:
+        # Most pairs of a building are far apart: boxes tell that for all of them at once.
+        near = ((low <= high[i] + SAMPLE) & (high >= low[i] - SAMPLE)).all(axis=1)
+        beside = [names[j] for j in np.flatnonzero(near) if j > i]
+        tree = cKDTree(axes[one]) if beside else None
+        for other in beside:
+            if frozenset((one, other)) in met:
+                continue
             distance, _ = tree.query(axes[other])
             if distance.min() > reach[one] + reach[other] + SAMPLE:
                 continue
@@ -47,7 +60,7 @@ def _pair(one: str, other: str, common) -> list[Finding]:
             "members-intersect",
             name,
             f"the solids of {name} and {with_} intersect",
-            "move one of them; cut members at their nodes is not supported yet",
+            "give them different ranks or a row of sheet Nodes, or move one of them",
             position=place,
             value=float(common.Volume),
             limit=tolerances.SOLIDS_OVERLAP_VOLUME,
@@ -67,12 +80,11 @@ def _reach(geometry: MemberGeometry) -> float:
     corners = [
         corners
         for cell in geometry.member.law.cells
-        for corners in cell.corners_at(np.array([cell.start, cell.end]))
+        for corners in cell.corners_at(np.linspace(cell.start, cell.end, 33))
     ]
     return float(np.linalg.norm(np.concatenate(corners), axis=1).max())
 
 
 def _skin(geometry: MemberGeometry):
-    tubes = [[(p.knots, p.poles) for p in tube] for tube in member_skins(geometry).tubes]
-    solids = brep.tube_solids(tubes)
+    solids = member_solids(geometry)
     return solids[0] if len(solids) == 1 else brep.compound(solids)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Flat patterns as Part wires."""
+"""Flat patterns as Part wires and faces."""
 
 from __future__ import annotations
 
@@ -24,12 +24,16 @@ def wire(plate: DevelopedPlate, shift: tuple[float, float] = (0.0, 0.0)) -> Part
 
 
 def laid_out(plates: Sequence[DevelopedPlate]) -> Part.Compound:
-    """The patterns of all plates, each row starting above the one before."""
-    wires, height = [], 0.0
+    """The patterns of all plates as faces with their openings, in order, each row starting above
+    the one before."""
+    faces, height = [], 0.0
     for plate in plates:
-        wires.append(wire(plate, (0.0, height)))
+        shift = np.array([0.0, height])
+        inner = [Part.Wire([_edge(run + shift) for run in hole.runs]) for hole in plate.holes]
+        outer = wire(plate, (0.0, height))
+        faces.append(Part.makeFace([outer, *inner], "Part::FaceMakerBullseye"))
         height += plate.width + ROW_GAP
-    return Part.makeCompound(wires)
+    return Part.makeCompound(faces)
 
 
 def _edge(run: np.ndarray) -> Part.Edge:

@@ -30,7 +30,12 @@ def shape(
 def _ellipsoid(sizes):
     stretch = FreeCAD.Matrix()
     stretch.scale(sizes["a"], sizes["b"], sizes["c"])
-    return Part.makeSphere(1.0).Faces[0].transformGeometry(stretch)
+    # In halves: the kernel makes no triangles of a whole one with unequal axes, and it is not seen.
+    unit = Part.Sphere()
+    unit.Radius = 1.0
+    pole = 0.5 * math.pi
+    halves = [unit.toShape(start, start + math.pi, -pole, pole) for start in (0.0, math.pi)]
+    return Part.makeCompound([half.transformGeometry(stretch) for half in halves])
 
 
 def _sphere(sizes):

@@ -11,7 +11,15 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ..core.finding import BendTorsionError, error
-from ..core.sheet import CAP_HEIGHT, FONT_FAMILY, LINE_STYLES, Polyline, Sheet, Text
+from ..core.sheet import (
+    CAP_HEIGHT,
+    CJK_FAMILIES,
+    FONT_FAMILY,
+    LINE_STYLES,
+    Polyline,
+    Sheet,
+    Text,
+)
 
 RESOLUTION = 1200  # dots per inch; page coordinates are mapped to these dots
 DOTS_PER_MM = RESOLUTION / 25.4
@@ -87,7 +95,7 @@ def start_qt():
 
 
 def _paint(qt_core, qt_gui, sheets: Sequence[Sheet], path: str) -> None:
-    family = _family(qt_gui)
+    families = _families(qt_gui, sheets)
     writer = qt_gui.QPdfWriter(path)
     writer.setResolution(RESOLUTION)
     writer.setTitle(sheets[0].title)
@@ -107,7 +115,7 @@ def _paint(qt_core, qt_gui, sheets: Sequence[Sheet], path: str) -> None:
                 _draw_line(qt_core, qt_gui, painter, sheet, line)
             for text in sheet.all_texts():
                 if text.text.strip():
-                    _draw_text(qt_core, qt_gui, painter, sheet, text, family)
+                    _draw_text(qt_core, qt_gui, painter, sheet, text, families)
     finally:
         # A painter that outlives its device crashes the process.
         painter.end()
@@ -125,7 +133,8 @@ def _page_layout(qt_core, qt_gui, sheet: Sheet):
     )
 
 
-def _family(qt_gui) -> str:
+def _families(qt_gui, sheets: Sequence[Sheet]) -> list[str]:
+    """The font, and after it the one for Chinese when the sheets have any."""
     known = set(qt_gui.QFontDatabase().families())
     family = next((name for name in FAMILIES if name in known), None)
     if family is None:
@@ -137,7 +146,23 @@ def _family(qt_gui) -> str:
                 "on Debian run 'apt-get install fonts-dejavu-core'",
             )
         )
-    return family
+    if not any(_is_chinese(text.text) for sheet in sheets for text in sheet.all_texts()):
+        return [family]
+    chinese = next((name for name in CJK_FAMILIES if name in known), None)
+    if chinese is None:
+        raise BendTorsionError(
+            error(
+                "font-missing",
+                "sheets",
+                f"none of the Chinese fonts {', '.join(CJK_FAMILIES)} is installed",
+                "on Debian run 'apt-get install fonts-wqy-microhei', or set sheet_language to en",
+            )
+        )
+    return [family, chinese]
+
+
+def _is_chinese(text: str) -> bool:
+    return any("\u2e80" <= character <= "\uffef" for character in text)
 
 
 def _draw_line(qt_core, qt_gui, painter, sheet: Sheet, line: Polyline) -> None:
@@ -155,8 +180,9 @@ def _draw_line(qt_core, qt_gui, painter, sheet: Sheet, line: Polyline) -> None:
     painter.drawPolyline(qt_gui.QPolygonF(points))
 
 
-def _draw_text(qt_core, qt_gui, painter, sheet: Sheet, text: Text, family: str) -> None:
-    font = qt_gui.QFont(family)
+def _draw_text(qt_core, qt_gui, painter, sheet: Sheet, text: Text, families) -> None:
+    font = qt_gui.QFont(families[0])
+    font.setFamilies(families)
     font.setPixelSize(round(text.height / CAP_HEIGHT * DOTS_PER_MM))
     font.setHintingPreference(qt_gui.QFont.PreferNoHinting)
     # Any letter spacing turns ligatures off, which would not be found by a search.

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from xml.sax.saxutils import escape
 
-from ..core.sheet import CAP_HEIGHT, FONT_FAMILY, LINE_STYLES, Polyline, Sheet, Text
+from ..core.sheet import CAP_HEIGHT, CJK_FAMILIES, FONT_FAMILY, LINE_STYLES, Polyline, Sheet, Text
 
 GROUP = 8
 
@@ -22,11 +22,16 @@ def svg_text(sheet: Sheet) -> str:
 
 def write_svg(sheet: Sheet, path: str | Path) -> None:
     """Write one sheet as SVG; the file appears whole or not at all. OSError when it cannot."""
+    write_picture(path, svg_text(sheet).encode("utf-8"))
+
+
+def write_picture(path: str | Path, content: bytes) -> None:
+    """Write a file whole or not at all. OSError when it cannot."""
     path = Path(path)
     handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
     try:
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
-            stream.write(svg_text(sheet))
+        with os.fdopen(handle, "wb") as stream:
+            stream.write(content)
         os.chmod(temporary, 0o644)
         os.replace(temporary, path)
     except BaseException:
@@ -35,9 +40,16 @@ def write_svg(sheet: Sheet, path: str | Path) -> None:
 
 
 def svg_document(
-    sheet: Sheet, lines: Iterable[Polyline], texts: Iterable[Text], unit: str, per_mm: float = 1.0
+    sheet: Sheet,
+    lines: Iterable[Polyline],
+    texts: Iterable[Text],
+    unit: str,
+    per_mm: float = 1.0,
+    joined: bool = False,
 ) -> str:
-    """Lines and texts (page mm) as an SVG of the sheet's size; `per_mm` size units make a mm."""
+    """Lines and texts (page mm) as an SVG of the sheet's size; `per_mm` size units make a mm.
+    joined: all lines of a style as one path, for readers that take their time with each element."""
+    drawn = _paths(lines, sheet.height) if joined else [_line(line, sheet.height) for line in lines]
     size = (
         f'width="{_number(sheet.width * per_mm)}{unit}" '
         f'height="{_number(sheet.height * per_mm)}{unit}"'
@@ -48,8 +60,8 @@ def svg_document(
             f'<svg xmlns="http://www.w3.org/2000/svg" version="1.1" {size} '
             f'viewBox="0 0 {_number(sheet.width)} {_number(sheet.height)}" xml:space="preserve">',
             f'<g fill="none" stroke="#000000" stroke-linecap="round" stroke-linejoin="round" '
-            f'font-family="{FONT_FAMILY}, Liberation Sans, sans-serif">',
-            *_grouped([_line(line, sheet.height) for line in lines]),
+            f'font-family="{", ".join((FONT_FAMILY, *CJK_FAMILIES))}, sans-serif">',
+            *_grouped(drawn),
             *_grouped([_text(text, sheet.height) for text in texts if text.text.strip()]),
             "</g>",
             "</svg>",
@@ -68,10 +80,27 @@ def _grouped(elements: list[str]) -> list[str]:
     return elements
 
 
+def _paths(lines: Iterable[Polyline], page_height: float) -> list[str]:
+    by_style: dict[str, list[str]] = {}
+    for line in lines:
+        points = "L".join(f"{_number(x)},{_number(page_height - y)}" for x, y in line.points)
+        by_style.setdefault(line.style, []).append(f"M{points}")
+    return [
+        f'<path d="{"".join(parts)}" stroke-width="{_number(LINE_STYLES[style][0])}"'
+        f"{_dashes(style)}/>"
+        for style, parts in by_style.items()
+    ]
+
+
+def _dashes(style: str) -> str:
+    dashes = LINE_STYLES[style][1]
+    return f' stroke-dasharray="{",".join(_number(d) for d in dashes)}"' if dashes else ""
+
+
 def _line(line: Polyline, page_height: float) -> str:
-    width, dashes = LINE_STYLES[line.style]
+    width = LINE_STYLES[line.style][0]
     points = " ".join(f"{_number(x)},{_number(page_height - y)}" for x, y in line.points)
-    dash = f' stroke-dasharray="{",".join(_number(d) for d in dashes)}"' if dashes else ""
+    dash = _dashes(line.style)
     return f'<polyline points="{points}" stroke-width="{_number(width)}"{dash}/>'
 
 

@@ -12,16 +12,47 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.sheet import LINE_STYLES, Sheet
+from ..core.sheet import FONT_FAMILY, LINE_STYLES, Sheet
+from ..core.sheet_page import SIGNED_CELLS
+from ..core.sheet_style import FORMATS, TITLE_WIDTH, PageFormat
 from .svg import svg_document
 
-TEMPLATE = Path(__file__).resolve().parents[2] / "resources" / "templates" / "A3_landscape.svg"
+TEMPLATES = Path(__file__).resolve().parents[2] / "resources" / "templates" / "techdraw"
 PIXELS_PER_MM = 96.0 / 25.4  # FreeCAD with Qt 5 takes a symbol's size in pixels of 1/96 inch
 
 
-def template_path() -> str:
-    """The product's own A3 landscape template: centring marks and the fields filled in by hand."""
-    return str(TEMPLATE)
+def template_path(sheet: Sheet) -> str:
+    """The product's own template of the sheet's size: the fields filled in by hand."""
+    for form in FORMATS.values():
+        if (form.width, form.height) == (sheet.width, sheet.height):
+            return str(TEMPLATES / f"{form.name.replace(' ', '_')}.svg")
+    raise ValueError(f"there is no template of {sheet.width:g} x {sheet.height:g} mm")
+
+
+def template_svg(form: PageFormat) -> str:
+    """The template of a page format: empty fields in the signed cells of the title block."""
+    left, bottom, _, _ = form.title_block
+    cell = TITLE_WIDTH / len(SIGNED_CELLS)
+    size = f"{form.width:g}", f"{form.height:g}"
+    return "\n".join(
+        [
+            '<?xml version="1.0" encoding="UTF-8"?>',
+            "<!-- SPDX-License-Identifier: LGPL-2.1-or-later -->",
+            '<svg xmlns="http://www.w3.org/2000/svg" '
+            'xmlns:freecad="http://www.freecadweb.org/wiki/index.php?title=Svg_Namespace" '
+            f'version="1.1" width="{size[0]}mm" height="{size[1]}mm" '
+            f'viewBox="0 0 {size[0]} {size[1]}">',
+            f'  <g font-family="{FONT_FAMILY}" font-size="3.43" fill="#000000" stroke="none">',
+            *(
+                f'    <text freecad:editable="{name}" x="{left + k * cell + 1.2:.1f}" '
+                f'y="{form.height - bottom - 1.5:.1f}" xml:space="preserve"><tspan> </tspan></text>'
+                for k, name in enumerate(SIGNED_CELLS)
+            ),
+            "  </g>",
+            "</svg>",
+            "",
+        ]
+    )
 
 
 def sheet_scale(sheet: Sheet) -> float:
@@ -55,7 +86,7 @@ def symbol_svg(sheet: Sheet) -> str:
     """
     lines = [line for line in _view_lines(sheet) if line.style != "narrow"]
     lines += sheet.all_lines()
-    return svg_document(sheet, lines, sheet.all_texts(), "", PIXELS_PER_MM)
+    return svg_document(sheet, lines, sheet.all_texts(), "", PIXELS_PER_MM, joined=True)
 
 
 def configure_outline_view(view, source, sheet: Sheet) -> None:

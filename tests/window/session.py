@@ -32,7 +32,7 @@ def workbench():
         "listed": listed,
         "active": active.name(),
         "icon_exists": os.path.exists(active.Icon),
-        "toolbar": active.getToolbarItems().get("BendTorsion", []),
+        "toolbar": active.getToolbarItems().get("BendTorsion Model", []),
         "registered": COMMAND in FreeCADGui.listCommands(),
         "loaded_early": loaded_early,
     }
@@ -116,12 +116,21 @@ def saved_without_window():
     ours = [item for item in document.Objects if hasattr(item, "BT_Type")]
     result = {
         "visible": {item.BT_Type: item.ViewObject.Visibility for item in ours},
-        "icons": [os.path.exists(item.ViewObject.Proxy.getIcon()) for item in ours],
+        "icons": [not item.ViewObject.Proxy.getIcon().isNull() for item in ours],
         "volume": sum(item.Shape.Volume for item in ours if item.BT_Type == "PlateSet"),
     }
+    plates = next(item for item in ours if item.BT_Type == "PlateSet")
+    result["colours"] = {
+        "saved": [list(colour) for colour in plates.Colours],
+        "painted": [list(colour) for colour in plates.ViewObject.DiffuseColor],
+        "faces": [len(solid.Faces) for solid in plates.Shape.Solids],
+    }
+    plates.ColourBy = "none"
     for item in ours:
         item.touch()
     document.recompute()
+    result["colours"]["after"] = [list(colour) for colour in plates.ViewObject.DiffuseColor]
+    result["colours"]["own"] = list(plates.ViewObject.ShapeColor)
     result["statuses"] = [item.Status for item in ours]
     result["volume_again"] = sum(item.Shape.Volume for item in ours if item.BT_Type == "PlateSet")
     return result

@@ -149,13 +149,13 @@ WIDE |= {("Splits", "joints"): 32}
 FIXED_DATE = datetime.datetime(2025, 1, 1)
 
 
-def rib_points(rib: int) -> np.ndarray:
-    """(n, 3) mm: irregular points of rib 0..15 on the ellipsoid, rounded to 0.001 mm.
+def rib_curve(rib: int) -> np.ndarray:
+    """(n, 3) mm: rib 0..15 on the ellipsoid from its foot upwards, finely.
 
     The rib is a plane section of the ellipsoid; the plane turns and leans against the principal
     directions, so that the rib bends and twists.
     """
-    length, foot, turn, lean = SHAPES[rib]
+    _, foot, turn, lean = SHAPES[rib]
     turn, lean = math.radians(24.0 + turn), math.radians(lean)
     normal = np.array(
         [math.cos(turn) * math.cos(lean), math.sin(turn) * math.cos(lean), math.sin(lean)]
@@ -176,7 +176,12 @@ def rib_points(rib: int) -> np.ndarray:
         -sign * np.cos(angles)[:, None] * level + np.sin(angles)[:, None] * up
     )
     curve = around * half_axes
-    curve = curve[np.argmax(curve[:, 2] >= foot) :]
+    return curve[np.argmax(curve[:, 2] >= foot) :]
+
+
+def rib_points(rib: int) -> np.ndarray:
+    """(n, 3) mm: irregular points of rib 0..15, rounded to 0.001 mm."""
+    length, curve = SHAPES[rib][0], rib_curve(rib)
     arc = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(curve, axis=0), axis=1))])
     chance = random.Random(SEED * 1000 + rib)
     steps = [0.55 + chance.random() for _ in range(POINT_COUNTS[rib] - 1)]
@@ -217,13 +222,13 @@ def rows() -> dict[str, list[tuple]]:
     }
 
 
-def workbook() -> Workbook:
+def workbook(cells=None, headings=HEADINGS, choices=CHOICES) -> Workbook:
     """The schedule with headings frozen and lists to choose from."""
     book = Workbook()
     book.remove(book.active)
-    for title, lines in rows().items():
+    for title, lines in (cells or rows()).items():
         sheet = book.create_sheet(title)
-        sheet.append(HEADINGS[title])
+        sheet.append(headings[title])
         for line in lines:
             sheet.append(line)
         sheet.freeze_panes = "A2"
@@ -236,19 +241,19 @@ def workbook() -> Workbook:
             if column in NUMBER_FORMATS:
                 for (below,) in sheet[f"{letter}2:{letter}{sheet.max_row}"]:
                     below.number_format = NUMBER_FORMATS[column]
-            if column in CHOICES:
-                choices = DataValidation("list", formula1=f'"{CHOICES[column]}"', allow_blank=True)
-                choices.add(f"{letter}2:{letter}1000")
-                sheet.add_data_validation(choices)
+            if column in choices:
+                listed = DataValidation("list", formula1=f'"{choices[column]}"', allow_blank=True)
+                listed.add(f"{letter}2:{letter}1000")
+                sheet.add_data_validation(listed)
     book.properties.creator = "BendTorsion"
     book.properties.created = FIXED_DATE
     return book
 
 
-def write(target: Path):
+def write(target: Path, book: Workbook | None = None):
     """Writes the workbook with fixed dates, parts stored as they are: the same bytes each time."""
     raw, fixed = io.BytesIO(), io.BytesIO()
-    book = workbook()
+    book = book or workbook()
     book.save(raw)
     # Saving stamps the hour of the writing into the properties.
     stamped = f"{book.properties.modified:%Y-%m-%dT%H:%M:%SZ}".encode()

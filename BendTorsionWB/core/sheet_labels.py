@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Labels on a drawing: placed one after the other so that none touches a line or another label."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .sheet import Polyline, Text, boxes_overlap, text_box, text_width
+
+LABEL_HEIGHT = 1.8
+CLEARANCE = 0.4  # mm between a label and what it must not touch
+TIERS = (
+    1.2,
+    4.2,
+    7.2,
+    10.2,
+    13.2,
+    16.2,
+)  # mm from a line's end to its label; beyond the first with a leader
+ALONG = (0.5, 0.36, 0.64, 0.22, 0.78, 0.1, 0.9)  # of a line's length, where its label may stand
+
+
+def as_points(array: np.ndarray) -> tuple[tuple[float, float], ...]:
+    """An (n, 2) array as plain points."""
+    return tuple((float(x), float(y)) for x, y in array)
+
+
+class Labels:
+    """Texts placed so far, and the segments they must not cross."""
+
+    def __init__(self, segments: np.ndarray):
+        self.segments = segments
+        self.texts: list[Text] = []
+        self.boxes: list[np.ndarray] = []
+        self.bounds: list[tuple[float, float, float, float]] = []
+        self.leaders: list[Polyline] = []
+
+    def put(self, text: Text, leader: np.ndarray | None = None) -> bool:
+        """Take the text, and its leader (2, 2), as placed; False when they touch anything."""
+        box = text_box(text)
+        bound = (*box.min(axis=0).tolist(), *box.max(axis=0).tolist())
+        left, low, right, high = bound
+        grown = (left - CLEARANCE, low - CLEARANCE, right + CLEARANCE, high + CLEARANCE)
+        for other, taken in zip(self.boxes, self.bounds, strict=True):
+            apart = (
+                grown[0] >= taken[2]
+                or taken[0] >= grown[2]
+                or grown[1] >= taken[3]
+                or taken[1] >= grown[3]
+            )
+            if not apart and boxes_overlap(box, other, CLEARANCE):
+                return False
+        if _crossed(box, self.segments, CLEARANCE):
+            return False
+        if leader is not None:
+            (x0, y0), (x1, y1) = leader.min(axis=0) - 0.1, leader.max(axis=0) + 0.1
+            for other, taken in zip(self.boxes, self.bounds, strict=True):
+                apart = x0 > taken[2] or taken[0] > x1 or y0 > taken[3] or taken[1] > y1
+                if not apart and _crossed(other, leader[None], 0.1):
+                    return False
+            self.leaders.append(Polyline(as_points(leader), "narrow"))
+            self.segments = np.concatenate([self.segments, leader[None]])
+        self.texts.append(text)
+        self.boxes.append(box)
+        self.bounds.append(bound)
+        return True
+
+
+def _crossed(box: np.ndarray, segments: np.ndarray, clearance: float) -> bool:
+    """True when a segment (n, 2, 2) meets the rectangle grown by `clearance` (slab clipping)."""
+    if not len(segments):
+        return False
+    along, up = box[1] - box[0], box[3] - box[0]
+    size = np.array([np.hypot(*along), np.hypot(*up)])
+    axes = np.column_stack([along / size[0], up / size[1]])
+    local = (segments - box[0]) @ axes
+    start, step = local[:, 0], local[:, 1] - local[:, 0]
+    low, high = -clearance - start, size + clearance - start
+    with np.errstate(divide="ignore", invalid="ignore"):
+        enter, leave = low / step, high / step
+    enter, leave = np.minimum(enter, leave), np.maximum(enter, leave)
+    still = step == 0.0
+    inside = (low <= 0.0) & (high >= 0.0)
+    enter = np.where(still, np.where(inside, -np.inf, np.inf), enter)
+    leave = np.where(still, np.where(inside, np.inf, -np.inf), leave)
+    first = np.maximum(enter.max(axis=1), 0.0)
+    last = np.minimum(leave.min(axis=1), 1.0)
+    return bool(np.any(first <= last))
+
+
+def label_beyond(labels: Labels, label: str, end: np.ndarray, far: np.ndarray) -> bool:
+    """A level label beyond `end` of the line from `far`; False when there is no room."""
+    away = end - far
+    length = np.hypot(*away)
+    if length == 0.0:
+        return False
+    away = away / length
+    half = np.array([text_width(label, LABEL_HEIGHT), LABEL_HEIGHT * 1.32]) / 2.0
+    reach = float(np.abs(away) @ half) if abs(away[0]) > 0.5 else half[1] / abs(away[1])
+    for gap in TIERS:
+        for side in (0.0, -1.0, 1.0) if gap == TIERS[0] else (0.0,):
+            middle = end + away * (gap + reach) + (side * half[0], 0.0)
+            text = Text(
+                float(middle[0]),
+                float(middle[1] - LABEL_HEIGHT / 2.0 + 0.16 * LABEL_HEIGHT),
+                LABEL_HEIGHT,
+                label,
+                anchor="middle",
+            )
+            leader = np.array([end + away * 0.5, end + away * (gap - 0.2)])
+            if labels.put(text, leader if gap > TIERS[0] else None):
+                return True
+    return False
+
+
+def label_along(labels: Labels, label: str, ends: np.ndarray, outer) -> bool:
+    """A label beside a line, parallel to it; on the side away from `outer` when that is given."""
+    direction = ends[1] - ends[0]
+    length = np.hypot(*direction)
+    width = text_width(label, LABEL_HEIGHT)
+    if length < width + 2 * CLEARANCE:
+        return False
+    direction = direction / length
+    # Steep texts read from the right, all others from below.
+    if (direction[1] if abs(direction[1]) >= abs(direction[0]) else direction[0]) < 0.0:
+        direction = -direction
+    left = np.array([-direction[1], direction[0]])
+    # The body of a text lies left of its base line, so the far side needs the whole height.
+    above, below = left * (CLEARANCE + 0.85), -left * (LABEL_HEIGHT + CLEARANCE + 0.4)
+    offsets = [above, below]
+    if outer is not None and (outer - ends.mean(axis=0)) @ left > 0.0:
+        offsets = [below, above]
+    angle = float(np.degrees(np.arctan2(direction[1], direction[0])))
+    for offset in offsets:
+        for share in ALONG:
+            x, y = ends[0] + (ends[1] - ends[0]) * share + offset
+            text = Text(float(x), float(y), LABEL_HEIGHT, label, angle, "middle")
+            if labels.put(text):
+                return True
+    return False

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the model lies on the site: the model stays local, what surveyors read carries site values."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+UNITS = {"mm": 1.0, "m": 0.001}
+"""Site units written to lists, per millimetre."""
+
+
+@dataclass(frozen=True)
+class SiteDatum:
+    """x, y, z: mm on the site of the model's origin; rotation: rad from the site's x axis to the
+    model's, about z; unit: of the values shown."""
+
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 0.0
+    rotation: float = 0.0
+    unit: str = "mm"
+
+    def of(self, points: np.ndarray) -> np.ndarray:
+        """Site values (..., 3), in the unit, of model points (..., 3) mm."""
+        cos, sin = np.cos(self.rotation), np.sin(self.rotation)
+        x, y, z = points[..., 0], points[..., 1], points[..., 2]
+        turned = np.stack([cos * x - sin * y + self.x, sin * x + cos * y + self.y, z + self.z], -1)
+        return turned * UNITS[self.unit]
+
+
+AT_ORIGIN = SiteDatum()
+"""The model where it is."""

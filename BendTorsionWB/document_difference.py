@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What differs between the objects of two documents: by kind and label, property by property."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterable
+
+from BendTorsionWB.exchange.difference import Change
+
+FILE_SHAPE = "Shape"
+"""The one property of a shape that was read from a file."""
+EXACT_TO = 1e-12
+"""Relative difference below which two numbers are the same: what degrees and radians cost."""
+
+
+def kind_of(obj) -> str:
+    """The kind of an object of ours: its BT_Type, `File` for a shape read from a file; empty for
+    every other, and for the parts of drawing pages, which follow their sheet set."""
+    kind = getattr(obj, "BT_Type", "")
+    if kind in ("PageOutlines", "PageSymbol"):
+        return ""
+    if not kind and obj.TypeId == "Part::Feature" and "FromSchedule" in obj.PropertiesList:
+        return "File"
+    return kind
+
+
+def objects_of(document) -> dict[tuple[str, str], object]:
+    """Our objects by kind and name (that of their row, or their label where they have none), in
+    the order of the document."""
+    found = {}
+    for obj in document.Objects:
+        if kind_of(obj):
+            name = getattr(obj, "FromSchedule", "") or obj.Label
+            found.setdefault((kind_of(obj), name), obj)
+    return found
+
+
+def inputs_of(obj) -> tuple[str, ...]:
+    """Names of the properties an object is made from."""
+    if kind_of(obj) == "File":
+        return ("Label", FILE_SHAPE)
+    return ("Label", *(item.name for item in obj.Proxy.declared(obj) if not item.output))
+
+
+def value_of(obj, name: str):
+    """A property as plain values: quantities as numbers in FreeCAD's units, links by label."""
+    if name == FILE_SHAPE:
+        return hashlib.sha256(obj.Shape.exportBrepToString().encode()).hexdigest()[:12]
+    return _plain(getattr(obj, name, None))
+
+
+def _plain(value):
+    if value is None or isinstance(value, (str, bool, int, float)):
+        return value
+    if hasattr(value, "Label"):
+        return value.Label
+    if hasattr(value, "UserString"):
+        return value.Value
+    if hasattr(value, "x"):
+        return (value.x, value.y, value.z)
+    if isinstance(value, (tuple, list)):
+        return tuple(_plain(item) for item in value)
+    return str(value)
+
+
+def same(one, other) -> bool:
+    """Whether two plain values are equal, numbers to EXACT_TO of their size."""
+    if isinstance(one, (tuple, list)) and isinstance(other, (tuple, list)):
+        return len(one) == len(other) and all(map(same, one, other))
+    numbers = (int, float)
+    if isinstance(one, numbers) and isinstance(other, numbers):
+        return abs(one - other) <= EXACT_TO * max(abs(one), abs(other), 1.0)
+    return one == other
+
+
+def document_changes(before, after) -> tuple[Change, ...]:
+    """What changed from one document to another. Links count by label, results not at all."""
+    old, new = objects_of(before), objects_of(after)
+    changes = [_whole("removed", old[key]) for key in old if key not in new]
+    for key, obj in new.items():
+        if key not in old:
+            changes.append(_whole("added", obj))
+            continue
+        for name in dict.fromkeys((*inputs_of(old[key]), *inputs_of(obj))):
+            one, other = value_of(old[key], name), value_of(obj, name)
+            if not same(one, other):
+                changes.append(Change("changed", *key, name, one, other, member=members_of([obj])))
+    return tuple(changes)
+
+
+def _whole(what: str, obj) -> Change:
+    return Change(what, kind_of(obj), obj.Label, member=members_of([obj]))
+
+
+def members_of(objects: Iterable) -> str:
+    """Labels of the members that depend on these objects or are one, or that a plate set, its
+    patterns or sheets belong to."""
+    labels: dict[str, None] = {}
+    for obj in objects:
+        for one in (obj, *obj.InListRecursive, *obj.OutListRecursive):
+            if getattr(one, "BT_Type", "") == "Member" and (
+                one in (obj, *obj.InListRecursive) or not _is_upstream(obj)
+            ):
+                labels[one.Label] = None
+    return ", ".join(sorted(labels))
+
+
+def _is_upstream(obj) -> bool:
+    return kind_of(obj) in ("Surface", "Axis", "SectionSpec", "Member", "File")

@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The files of a document as it is, edits by hand included: no schedule has a say."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import FreeCAD
+
+from BendTorsionWB import __version__
+from BendTorsionWB.core import detailing
+from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
+from BendTorsionWB.core.lofting import DevelopedPlate, MemberRecord, failed_record
+from BendTorsionWB.core.numbering import numbered
+from BendTorsionWB.core.parallel import workers_for
+from BendTorsionWB.core.sheet_style import SheetStyle
+from BendTorsionWB.core.site import AT_ORIGIN
+from BendTorsionWB.core.strain_map import StrainMap, strain_map
+from BendTorsionWB.document_update import open_document
+from BendTorsionWB.exchange import report, results_workbook
+from BendTorsionWB.exchange.output_folder import (
+    OutputFolder,
+    check_folder,
+    check_project,
+    read_manifest,
+)
+from BendTorsionWB.exchange.result_cache import key_of
+from BendTorsionWB.exchange.schedule_cells import BadCell, Name
+from BendTorsionWB.member_files import member_files, start_all
+from BendTorsionWB.model_files import IFC, STEP, checked_recompute
+from BendTorsionWB.objects import assembly_bed, plate_set
+from BendTorsionWB.objects.sheet import style_of
+from BendTorsionWB.objects.unfold import member_record_of, pattern_input
+from BendTorsionWB.package_files import Background, write_package
+from BendTorsionWB.project import (
+    BuildResult,
+    Progress,
+    Timing,
+    detail_members,
+    read_project,
+    silent,
+    write_member_files,
+    write_reports,
+)
+from BendTorsionWB.solid_files import write_ifc, write_step
+from BendTorsionWB.sheet_files import write_sheet_set
+
+
+@dataclass(frozen=True)
+class DocumentRecords:
+    """The members of a document: their records by name, the hash of what each comes from, every
+    finding, and what the title blocks say."""
+
+    records: dict[str, MemberRecord]
+    keys: dict[str, str]
+    findings: tuple[Finding, ...]
+    titles: SheetStyle
+
+
+def records_of(document, only: Sequence[str] = ()) -> DocumentRecords:
+    """Recompute a document and collect the lofting record of every member with patterns; one in
+    error has no plates. Raises BendTorsionError when there is none, or for unknown names."""
+    findings = checked_recompute(document)
+    kinds: dict[str, list] = {}
+    for obj in document.Objects:
+        kinds.setdefault(getattr(obj, "BT_Type", ""), []).append(obj)
+    beds = {bed.Plates.Name: bed for bed in kinds.get("AssemblyBed", ()) if bed.Plates}
+    records, keys = {}, {}
+    for unfold in kinds.get("Unfold", ()):
+        plates = unfold.Plates
+        if plates is None or plates.Member is None or (only and plates.Member.Label not in only):
+            continue
+        name = plates.Member.Label
+        bed = beds.get(plates.Name)
+        try:
+            record = member_record_of(unfold)
+            keys[name] = record._made_from
+            if bed is not None:
+                found = assembly_bed.value(bed)
+                keys[name] = key_of(keys[name], found)
+                record = detailing.with_beds(record, found)
+        except BendTorsionError as problem:
+            record = failed_record(name, problem.findings)
+            keys[name] = ""
+        own = report.of_member(name, findings)
+        records[name] = failed_record(name, own) if has_error(own) else record
+    records = {record.member: record for record in numbered(tuple(records.values()))}
+    missing = [name for name in only if name not in records]
+    if missing or not records:
+        raise BendTorsionError(
+            error(
+                "member-unknown",
+                document.Label,
+                f"no member {name!r} with patterns in the document",
+                "use labels of its members",
+                value=name,
+            )
+            for name in missing or ["any"]
+        )
+    sheets = kinds.get("SheetSet", ())
+    titles = style_of(sheets[0]) if sheets else SheetStyle()
+    return DocumentRecords(records, keys, findings, titles)
+
+
+def source_records(
+    path: str | os.PathLike,
+    only: Sequence[str] = (),
+    workers: int | None = None,
+    progress: Progress = silent,
+) -> DocumentRecords:
+    """The records of a schedule or of a document; raises BendTorsionError as building or opening
+    it does."""
+    if Path(path).suffix.lower() == ".fcstd":
+        document = open_document(Path(path))
+        try:
+            return records_of(document, only)
+        finally:
+            FreeCAD.closeDocument(document.Name)
+    schedule, jobs, found = read_project(path, only)
+    with workers_for(workers, len(jobs)) as executor:
+        detailed, lost = detail_members(schedule, jobs, executor, progress)
+    records = {
+        name: detailed[name].record if name in detailed else failed_record(name, lost)
+        for name in jobs
+    }
+    records = {record.member: record for record in numbered(tuple(records.values()))}
+    findings = (*lost, *found.findings)
+    titles = schedule.settings.sheet_style
+    return DocumentRecords(records, dict.fromkeys(jobs, ""), findings, titles)
+
+
+def write_figures(given: DocumentRecords, path: str | os.PathLike) -> None:
+    """Write the figures as the results workbook, or as report.json when the name ends in .json.
+    Raises BendTorsionError."""
+    records = tuple(given.records.values())
+    if Path(path).suffix.lower() == ".json":
+        report.write_report(records, given.findings, __version__, path)
+    else:
+        results_workbook.write_results(records, given.findings, path, given.titles.project)
+
+
+def _check_names(names: Iterable[str]) -> None:
+    """Raises BendTorsionError for labels of members that cannot name files."""
+    findings = []
+    for name in names:
+        try:
+            Name(names_files=True)(name)
+        except BadCell as problem:
+            findings.append(error("label-names-files", name, problem.message, problem.mend))
+    if findings:
+        raise BendTorsionError(findings)
+
+
+def _strain_maps(document):
+    """What finds the strain map of a plate of the document, None of a flat part."""
+    unfolds = {
+        obj.Plates.Member.Label: obj
+        for obj in document.Objects
+        if getattr(obj, "BT_Type", "") == "Unfold" and obj.Plates and obj.Plates.Member
+    }
+
+    def found(plate: DevelopedPlate) -> StrainMap | None:
+        unfold = unfolds[plate.member]
+        given = pattern_input(unfold)
+        for item in plate_set.value(unfold.Plates).plates:
+            if item.plate.mark == plate.mark:
+                return strain_map(item.plate, given.mode, given.marking_face, given.surface)
+        return None
+
+    return found
+
+
+def export_document(
+    path: str | os.PathLike,
+    out: str | os.PathLike,
+    only: Sequence[str] = (),
+    workers: int | None = None,
+    progress: Progress = silent,
+    sheets: bool = True,
+    force: bool = False,
+    svg: bool = False,
+) -> BuildResult:
+    """Write STEP, IFC, sheets, cut files, workbook and report of a document into a folder. Raises
+    BendTorsionError for a document that cannot be opened or holds no member."""
+    timing, out = Timing(), Path(out)
+    with timing.stage("read"):
+        check_folder(out)
+        document = open_document(Path(path))
+    try:
+        with timing.stage("document"):
+            given = records_of(document, only)
+            _check_names(given.records)
+            check_project(out, given.titles.project, force)
+        folder = OutputFolder(out, read_manifest(out), given.titles.project)
+        files = member_files(given.records, given.keys, given.titles if sheets else None)
+        healthy = {name for name, record in given.records.items() if record.plates}
+        with workers_for(workers, len(healthy)) as executor:
+            todo = [f for f in files if f.member in healthy and not folder.has(f.name, f.made_from)]
+            made = start_all(todo, executor)
+            with timing.stage("step"):
+                if healthy:
+                    write_step(document, sorted(healthy), out / STEP)
+                    folder.wrote(STEP, "")
+                    own, project = given.records, given.titles.project
+                    write_ifc(document, sorted(healthy), own, AT_ORIGIN, project, out / IFC)
+                    folder.wrote(IFC, "")
+            with timing.stage("files"):
+                write_member_files(folder, files, made, healthy, progress)
+            records = tuple(given.records.values())
+            if sheets:
+                given_keys = list(given.keys.values())
+                write_sheet_set(folder, records, given_keys, given.titles, svg)
+            with timing.stage("package"):
+                behind = Background(strain=_strain_maps(document))
+                keys = list(given.keys.values())
+                write_package(
+                    folder, records, given.findings, keys, given.titles, behind, executor
+                )
+    finally:
+        FreeCAD.closeDocument(document.Name)
+    with timing.stage("results"):
+        write_reports(folder, records, given.findings, list(given.keys.values()), given.titles)
+        left = folder.close(set(given.records) if only else None)
+    found = tuple(report.all_findings(records, (*given.findings, *left)))
+    return BuildResult(records, found, timing.stages)

@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A document brought up to a changed schedule: the same objects, what people added kept.
+
+A new document is made of the schedule and compared with the one there is, object by object and
+property by property; only what differs is written, so that a recompute reaches only that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import FreeCAD
+
+from BendTorsionWB.core.detailing import MemberJob
+from BendTorsionWB.core.finding import BendTorsionError, Finding, error, note, warning
+from BendTorsionWB.document import build_document, equal_labels, mark_from_schedule
+from BendTorsionWB.document_difference import (
+    inputs_of,
+    kind_of,
+    members_of,
+    objects_of,
+    same,
+    value_of,
+)
+from BendTorsionWB.exchange.difference import Change
+from BendTorsionWB.exchange.schedule import Schedule
+from BendTorsionWB.objects import sheet as sheet_object
+from BendTorsionWB.objects.proxy import add_property
+
+
+@dataclass
+class Update:
+    """Brings documents up to schedules. removing: whether objects of rows that are gone go too.
+    changes and findings: what was done and what was left, in all documents so far."""
+
+    removing: bool = False
+    changes: list[Change] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
+
+    def document_of(self, schedule: Schedule, jobs: dict[str, MemberJob], sheets: bool, path: Path):
+        """The document at path, opened and brought up to the schedule; a new one when there is
+        none. Raises BendTorsionError for a file that cannot be opened."""
+        if not path.exists():
+            return build_document(schedule, jobs, sheets)
+        document = open_document(path)
+        template = build_document(schedule, jobs, sheets)
+        try:
+            self.bring(document, template, sheets)
+        except BaseException:
+            FreeCAD.closeDocument(document.Name)
+            raise
+        finally:
+            FreeCAD.closeDocument(template.Name)
+        return document
+
+    def bring(self, document, template, sheets: bool = True) -> None:
+        """Make the objects of a document those of the template, and no others of ours. sheets:
+        whether the template has drawing sheets; those of the document stay in any case."""
+        wanted, present = objects_of(template), objects_of(document)
+        new = [key for key in wanted if key not in present]
+        with equal_labels():
+            for key in new:
+                present[key] = _created(document, wanted[key])
+                self.changes.append(Change("added", *key, member=members_of([wanted[key]])))
+            for key, model in wanted.items():
+                self._copy(model, present[key], present, key in new)
+        gone = [
+            obj
+            for key, obj in present.items()
+            if key not in wanted
+            and getattr(obj, "FromSchedule", "")
+            and (sheets or key[0] != "SheetSet")
+        ]
+        self._remove(document, gone)
+
+    def _copy(self, model, obj, present, is_new: bool) -> None:
+        if kind_of(model) != "File":
+            for declared in model.Proxy.declared(model):
+                add_property(obj, declared)
+        bound = {path.split(".")[0] for path, _ in obj.ExpressionEngine}
+        for name in inputs_of(model):
+            before, after = value_of(obj, name), value_of(model, name)
+            if same(before, after):
+                continue
+            if name in bound:
+                self.findings.append(
+                    note(
+                        "bound-by-hand",
+                        obj.Label,
+                        f"{name} follows an expression and not the schedule",
+                        "delete the expression to follow the schedule again",
+                        position=f"property {name}",
+                        value=_text(before),
+                        limit=_text(after),
+                    )
+                )
+                continue
+            setattr(obj, name, _own(getattr(model, name), present))
+            if not is_new:
+                self.changes.append(
+                    Change(
+                        "changed", kind_of(obj), obj.Label, name, before, after, members_of([obj])
+                    )
+                )
+
+    def _remove(self, document, gone: Sequence) -> None:
+        for obj in gone:
+            added = _added_by_hand(obj, gone)
+            members = members_of([obj])
+            if self.removing:
+                self.changes.append(Change("removed", kind_of(obj), obj.Label, member=members))
+            else:
+                used = f"; {', '.join(added)} made by hand use it" if added else ""
+                self.findings.append(
+                    warning(
+                        "row-removed",
+                        obj.Label,
+                        f"{kind_of(obj)} {obj.Label} is in the document and no longer in the "
+                        f"schedule{used}",
+                        "run update with --remove to remove it",
+                    )
+                )
+        if self.removing:
+            # What uses an object goes before it.
+            for obj in sorted(gone, key=lambda obj: len(obj.OutListRecursive), reverse=True):
+                if kind_of(obj) == "SheetSet":
+                    sheet_object.remove_pages(obj)
+                document.removeObject(obj.Name)
+
+
+def open_document(path: Path):
+    """A saved document, hidden; raises BendTorsionError for one that cannot be opened."""
+    try:
+        return FreeCAD.openDocument(str(path), hidden=True)
+    except Exception as problem:
+        raise BendTorsionError(
+            error(
+                "document-unreadable",
+                path.name,
+                f"FreeCAD cannot open it: {problem}",
+                "restore it, or build the schedule anew",
+                value=str(path),
+            )
+        ) from problem
+
+
+def _created(document, model):
+    """A new object of the kind of another, without its values."""
+    obj = document.addObject(model.TypeId, model.Name.rstrip("0123456789"))
+    obj.Label = model.Label
+    if kind_of(model) != "File":
+        type(model.Proxy)(obj)
+    mark_from_schedule([obj])
+    return obj
+
+
+def _own(value, present):
+    """A property's value with links to objects of the same kind and label."""
+    if hasattr(value, "Label"):
+        return present[kind_of(value), value.Label]
+    if isinstance(value, (tuple, list)):
+        return type(value)(_own(item, present) for item in value)
+    return value.copy() if hasattr(value, "exportBrepToString") else value
+
+
+def _added_by_hand(obj, gone: Iterable) -> list[str]:
+    names = {other.Name for other in gone}
+    return [
+        user.Label
+        for user in obj.InListRecursive
+        if user.Name not in names
+        and not getattr(user, "FromSchedule", False)
+        and not user.isDerivedFrom("TechDraw::DrawPage")
+        and getattr(user, "BT_Type", "") not in ("PageOutlines", "PageSymbol")
+        and not user.isDerivedFrom("TechDraw::DrawView")
+        and user.TypeId != "App::LinkGroup"
+    ]
+
+
+def _text(value) -> str | float | None:
+    return value if value is None or isinstance(value, (int, float, str)) else str(value)

@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The difference of two schedules: what changed, per member and property."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass, fields, is_dataclass
+
+from BendTorsionWB.exchange.schedule import Row, Schedule
+from BendTorsionWB.exchange.whole_file import write_whole
+from BendTorsionWB.exchange.xlsx_file import TEXT, Column, Table, xlsx_bytes
+
+
+@dataclass(frozen=True)
+class Change:
+    """One difference. what: `added`, `removed` or `changed`; kind and name: of the row or object;
+    member: those it concerns, parted by commas."""
+
+    what: str
+    kind: str
+    name: str
+    property: str = ""
+    before: object = None
+    after: object = None
+    member: str = ""
+
+    def line(self) -> str:
+        """The change as one line."""
+        concerned = f" (members {self.member})" if self.member not in ("", self.name) else ""
+        if self.what != "changed":
+            return f"{self.what}: {self.kind} {self.name}{concerned}"
+        figures = f"{_shown(self.before)} -> {_shown(self.after)}"
+        return f"{self.kind} {self.name}: {self.property} {figures}{concerned}"
+
+
+# Fields of a Schedule whose rows have no name of their own are named by these.
+_KEYS = ("member", "sheet", "face", "number", "joint", "seam", "piece", "node", "prep")
+
+
+def schedule_changes(before: Schedule, after: Schedule) -> tuple[Change, ...]:
+    """What changed from one schedule to another, in the order of the sheets; where a row stands in
+    the file is no part of it."""
+    old, new = _flat(before), _flat(after)
+    concerned = [_members_by_row(schedule) for schedule in (before, after)]
+    changes = []
+    for key in dict.fromkeys((*old, *new)):
+        kind, name = key
+        members = concerned[1].get(key) or concerned[0].get(key, "")
+        if key not in new:
+            changes.append(Change("removed", kind, name, member=members))
+        elif key not in old:
+            changes.append(Change("added", kind, name, member=members))
+        else:
+            one, other = old[key], new[key]
+            for path in dict.fromkeys((*one, *other)):
+                if one.get(path) != other.get(path):
+                    values = one.get(path), other.get(path)
+                    changes.append(Change("changed", kind, name, path, *values, member=members))
+    return tuple(changes)
+
+
+def _flat(schedule: Schedule) -> dict[tuple[str, str], dict[str, object]]:
+    """Values by path within each row, by kind and name of the row."""
+    rows: dict[tuple[str, str], dict[str, object]] = {}
+    for item in fields(schedule):
+        value = getattr(schedule, item.name)
+        if isinstance(value, Row):
+            rows[item.name, ""] = _paths(value)
+        elif isinstance(value, tuple):
+            for index, row in enumerate(value, start=1):
+                name = _name(row, index)
+                while (item.name, name) in rows:
+                    name += " +"
+                rows[item.name, name] = _paths(row)
+    return rows
+
+
+def _name(row, index: int) -> str:
+    name = getattr(row, "name", None)
+    if isinstance(name, str):
+        return name
+    words = [str(getattr(row, key)) for key in _KEYS if getattr(row, key, None) is not None]
+    place = dict(getattr(row, "cells", ())).get("s")
+    return " ".join([*words, *([str(place)] if place is not None else [])]) or str(index)
+
+
+def _paths(value, path: str = "") -> dict[str, object]:
+    """Every single value below a row by its path, rows within rows by their number."""
+    if is_dataclass(value):
+        found = {}
+        for item in fields(value):
+            if item.name not in ("place", "name"):
+                below = f"{path} {item.name}".strip()
+                found |= _paths(getattr(value, item.name), below)
+        return found
+    if isinstance(value, tuple) and any(is_dataclass(item) for item in value):
+        found = {}
+        for index, item in enumerate(value, start=1):
+            found |= _paths(item, f"{path} {getattr(item, 'number', index)}")
+        return found
+    return {path: value}
+
+
+def _members_by_row(schedule: Schedule) -> dict[tuple[str, str], str]:
+    """The members each surface, axis, section and row of a member concerns."""
+    found: dict[tuple[str, str], list[str]] = {}
+
+    def note(kind, name, member):
+        names = found.setdefault((kind, name), [])
+        if member not in names:
+            names.append(member)
+
+    surfaces = {axis.name: axis.surface for axis in schedule.axes}
+    materials = {section.name: section.material for section in schedule.sections}
+    for row in schedule.members:
+        note("members", row.name, row.name)
+        note("axes", row.axis, row.name)
+        note("surfaces", surfaces[row.axis], row.name)
+        for segment in row.segments:
+            note("sections", segment.section, row.name)
+            note("materials", materials[segment.section], row.name)
+    for item in fields(schedule):
+        value = getattr(schedule, item.name)
+        for index, row in enumerate(value if isinstance(value, tuple) else (), start=1):
+            if isinstance(getattr(row, "member", None), str):
+                note(item.name, _name(row, index), row.member)
+    return {key: ", ".join(names) for key, names in found.items()}
+
+
+COLUMNS = (
+    Column("member", TEXT, 16),
+    Column("what", TEXT, 10),
+    Column("kind", TEXT, 12),
+    Column("name", TEXT, 16),
+    Column("property", TEXT, 22),
+    Column("before", "General", 24),
+    Column("after", "General", 24),
+)
+
+
+def change_rows(changes: Iterable[Change]) -> list[tuple]:
+    """The changes as rows of COLUMNS."""
+    return [
+        (c.member, c.what, c.kind, c.name, c.property, _cell(c.before), _cell(c.after))
+        for c in changes
+    ]
+
+
+def write_changes(changes: Sequence[Change], path: str | os.PathLike) -> None:
+    """Write changes as .xlsx, .csv or .json, by the ending. Raises BendTorsionError."""
+    from BendTorsionWB.exchange.csv_folder import csv_bytes
+
+    ending = os.fspath(path).lower().rpartition(".")[2]
+    if ending == "json":
+        rows = [{**asdict(c), "before": _cell(c.before), "after": _cell(c.after)} for c in changes]
+        write_whole(path, (json.dumps(rows, indent=1, ensure_ascii=False) + "\n").encode())
+    elif ending == "csv":
+        header = [column.name for column in COLUMNS]
+        write_whole(path, csv_bytes([header, *change_rows(changes)]))
+    else:
+        write_whole(path, xlsx_bytes([Table("Changes", COLUMNS, change_rows(changes))], "Changes"))
+
+
+def _cell(value):
+    return value if value is None or isinstance(value, (int, float, str)) else _shown(value)
+
+
+def _shown(value) -> str:
+    if value is None or value == "":
+        return "nothing"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    if is_dataclass(value):
+        value = tuple(getattr(value, item.name) for item in fields(value))
+    if isinstance(value, Mapping):
+        value = tuple(value.items())
+    if isinstance(value, (tuple, list)):
+        return " ".join(_shown(item) for item in value) or "nothing"
+    return str(value)

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Bevels in DXF files: a text beside the edge for each stretch that is cut with one angle."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from ..core.bevel_record import EdgeBevel
+from ..core.lofting import DevelopedPlate
+from .dxf_text import CHARACTER_WIDTH, SMALLEST_TEXT, add_text
+
+_INSET = 12.0
+"""mm; the text stands this far inside the edge."""
+
+
+def bevel_text(bevel: EdgeBevel, marking_face: str, thickness: float) -> str:
+    """Such as `40.0 deg up land 6`: cut back by 40 degrees at the marking face (`down`: at the
+    other), 6 mm left as they are; `45.0/45.0 deg up/down land 2` for both faces."""
+    inside = marking_face == "inside"
+    up, down = (bevel.inner, bevel.outer) if inside else (bevel.outer, bevel.inner)
+    land = thickness - up[1] - down[1]
+    if not up[1] and not down[1]:
+        tilt = bevel.natural if inside else -bevel.natural
+        return f"{_degrees(abs(tilt))} deg {'up' if tilt > 0.0 else 'down'}"
+    given = [(way, one[0]) for way, one in (("up", up), ("down", down)) if one[1]]
+    angles = "/".join(_degrees(angle) for _, angle in given)
+    ways = "/".join(way for way, _ in given)
+    return f"{angles} deg {ways}" + (f" land {land:g}" if land > 0.05 else "")
+
+
+def add_bevel_texts(space, plate: DevelopedPlate, layer: str, centre, height: float) -> None:
+    """The texts, each along its stretch of the edge, half the height of other marks."""
+    for bevel in plate.bevels:
+        ends = _place(plate, bevel)
+        way = ends[1] - ends[0]
+        reach = float(np.hypot(*way))
+        if reach < 1.0:
+            continue
+        inward = np.array([-way[1], way[0]]) / reach
+        if float(((centre - ends[0]) * inward).sum()) < 0.0:
+            inward = -inward
+        middle = 0.5 * (ends[0] + ends[1])
+        text = bevel_text(bevel, plate.marking_face, plate.thickness)
+        letters = len(text) * CHARACTER_WIDTH
+        size = min(0.5 * height, 0.7 * reach / letters)
+        reading = way / reach
+        if size < SMALLEST_TEXT:
+            # Beside a short stretch the text runs into the plate.
+            size, reading = SMALLEST_TEXT, inward
+            middle = middle + 0.5 * letters * size * inward
+        size = round(size, 1)
+        if reading[0] < -1e-6 or (reading[0] < 1e-6 and reading[1] < 0.0):
+            reading = -reading
+        up = np.array([-reading[1], reading[0]])
+        corner = middle + _INSET * inward - 0.5 * letters * size * reading - 0.5 * size * up
+        add_text(space, text, corner, reading, size, {"layer": layer})
+
+
+def _place(plate: DevelopedPlate, bevel: EdgeBevel) -> np.ndarray:
+    """(2, 2) a chord of the stretch, between measuring lines where it is long enough."""
+    if bevel.side in ("start", "end"):
+        return plate.lines[0 if bevel.side == "start" else -1].flat
+    number = 0 if bevel.side == "first" else 1
+    s = np.array([line.s for line in plate.lines])
+    flat = np.array([line.flat[number] for line in plate.lines])
+    places = [bevel.start, *s[(s > bevel.start) & (s < bevel.end)], bevel.end]
+    lengths = np.diff(places)
+    # The first of the long fields: equal lengths may differ in their last bits.
+    k = int(np.flatnonzero(lengths >= lengths.max() - 1.0)[0])
+    at = np.array(places[k : k + 2])
+    return np.column_stack([np.interp(at, s, flat[:, j]) for j in (0, 1)])
+
+
+def _degrees(angle: float) -> str:
+    return f"{math.degrees(angle):.1f}"

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""All plates of one thickness and grade in one DXF file, side by side, each a block by its mark."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..core.arc_fit import fit_outline
+from ..core.cut_contour import cut_contour
+from ..core.lofting import DevelopedPlate, MemberRecord
+from .dxf import LAYERS, document_bytes, draw_plate, new_document
+from .dxf_text import place
+
+GAP = 100.0
+"""mm; distance of the plates."""
+
+FOLDER = "plates/all"
+_REFUSED = re.compile(r'[\x00-\x1f<>:"/\\|?*;=`,]')
+
+
+def groups_of(records: Sequence[MemberRecord]) -> dict[str, list[DevelopedPlate]]:
+    """Plates by the name of the file they lie in, relative to the output folder, thick first."""
+    groups: dict[tuple[float, str], list[DevelopedPlate]] = {}
+    for record in records:
+        for plate in record.plates:
+            groups.setdefault((plate.thickness, plate.material), []).append(plate)
+    named: dict[str, list[DevelopedPlate]] = {}
+    for thickness, material in sorted(groups, key=lambda key: (-key[0], key[1])):
+        # Grades that differ in letters a file system refuses, or in case alone, share a file.
+        grade = _REFUSED.sub("_", material).strip(" .")
+        name = f"{FOLDER}/{thickness:g}mm {grade}.dxf"
+        same = next((known for known in named if known.lower() == name.lower()), name)
+        named.setdefault(same, []).extend(groups[thickness, material])
+    return named
+
+
+def nest_dxf(plates: Sequence[DevelopedPlate]) -> bytes:
+    """The file: DXF R2010, 1:1, mm; every plate, as in its own file, is a block named by its mark
+    and inserted once, on shelves from the left; layer 0 holds the insertions only."""
+    cuts = [cut_contour(plate).plate for plate in plates]
+    sizes = np.array([[cut.length, cut.width] for cut in cuts])
+    places = shelves(sizes)
+    document = new_document(LAYERS, np.concatenate([places, places + sizes]))
+    space = document.modelspace()
+    for cut, corner in zip(cuts, places, strict=True):
+        name = _REFUSED.sub("_", cut.mark)
+        block = document.blocks.new(name)
+        draw_plate(block, cut, fit_outline(cut.outline, name=cut.mark))
+        space.add_blockref(name, place(corner))
+    return document_bytes(document)
+
+
+def shelves(sizes: np.ndarray) -> np.ndarray:
+    """Lower left corners (n, 2) of rectangles (n, 2) on shelves, about as wide as they are high
+    together, in their order, GAP apart."""
+    width = max(float(sizes[:, 0].max()), float(np.sqrt(((sizes + GAP).prod(axis=1)).sum())))
+    places, x, y, high = [], 0.0, 0.0, 0.0
+    for length, depth in sizes.tolist():
+        if x > 0.0 and x + length > width:
+            x, y, high = 0.0, y + high + GAP, 0.0
+        places.append((x, y))
+        x += length + GAP
+        high = max(high, depth)
+    return np.array(places)

@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The report of a project as one HTML file: pictures, figures against limits, tables, findings."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from html import escape
+
+from ..core.error_sources import ErrorSource
+from ..core.finding import Finding
+from ..core.lofting import MemberRecord
+from . import report
+from .whole_file import write_whole
+
+_STYLE = """
+body { font: 15px/1.45 "DejaVu Sans", "Noto Sans", sans-serif; color: #1d2733; margin: 0 auto;
+  max-width: 1160px; padding: 24px; background: #fff }
+h1 { font-size: 26px; margin: 0 0 4px } h2 { font-size: 19px; margin: 34px 0 8px }
+p.sub { color: #5b6876; margin: 0 0 20px }
+figure { margin: 18px 0 } figure svg { width: 100%; height: auto; max-height: 760px }
+figcaption { color: #5b6876; font-size: 13px }
+.tiles { display: flex; flex-wrap: wrap; gap: 10px }
+.tile { border: 1px solid #d5dbe2; border-radius: 6px; padding: 8px 14px; min-width: 120px }
+.tile b { display: block; font-size: 20px } .tile span { color: #5b6876; font-size: 13px }
+.scroll { overflow-x: auto }
+table { border-collapse: collapse; font-size: 13px; width: 100% }
+th, td { text-align: left; padding: 4px 9px; border-bottom: 1px solid #e3e8ed;
+  vertical-align: top }
+th { background: #f2f5f8; position: sticky; top: 0 }
+td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap }
+td.over { color: #b3261e; font-weight: 600 }
+.error { color: #b3261e } .warning { color: #8a5a00 } .note { color: #41607d }
+@media print { th { position: static } body { max-width: none } }
+"""
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A picture for the report: caption and SVG text."""
+
+    caption: str
+    svg: str
+
+
+def html_report(
+    records: Sequence[MemberRecord],
+    findings: Iterable[Finding],
+    project: str,
+    version: str,
+    pictures: Sequence[Picture] = (),
+    sources: Sequence[ErrorSource] = (),
+) -> str:
+    """The whole page, nothing outside it needed to show it."""
+    known = report.all_findings(records, findings)
+    title = escape(project or "BendTorsion project")
+    parts = [
+        f"<h1>{title}</h1>",
+        f'<p class="sub">Report of BendTorsion {escape(version)}. '
+        "Lengths in mm, masses in kg, angles in degrees.</p>",
+        _tiles(records, known),
+        *(
+            f"<figure>{picture.svg}<figcaption>{escape(picture.caption)}</figcaption></figure>"
+            for picture in pictures
+            if picture.svg
+        ),
+        "<h2>Figures against limits</h2>",
+        _figures(records, known),
+        "<h2>Error sources, the largest first</h2>",
+        _sources(sources),
+        "<h2>Findings</h2>",
+        _findings(known),
+        "<h2>Plates</h2>",
+        _plates(records),
+    ]
+    return (
+        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        f"<title>{title}</title><style>{_STYLE}</style></head>\n<body>\n"
+        + "\n".join(parts)
+        + "\n</body></html>\n"
+    )
+
+
+def write_html_report(path: str | os.PathLike, *given, **more) -> None:
+    """Write `html_report` whole or not at all. Raises BendTorsionError."""
+    write_whole(path, html_report(*given, **more).encode("utf-8", "replace"))
+
+
+def _tiles(records: Sequence[MemberRecord], known: Sequence[Finding]) -> str:
+    plates = [plate for record in records for plate in record.plates]
+    failed = sum(not record.plates for record in records)
+    tiles = (
+        (str(len(records)), "members"),
+        (str(len(plates)), "plates"),
+        (f"{sum(r.mass or 0.0 for r in records) / 1000.0:.1f} t", "net mass"),
+        (f"{sum(r.length or 0.0 for r in records) / 1000.0:.1f} m", "length on the axes"),
+        (str(failed), "members in error"),
+        (str(sum(f.severity == "warning" for f in known)), "warnings"),
+    )
+    return (
+        '<div class="tiles">'
+        + "".join(f'<div class="tile"><b>{b}</b><span>{s}</span></div>' for b, s in tiles)
+        + "</div>"
+    )
+
+
+def _figures(records: Sequence[MemberRecord], known: Sequence[Finding]) -> str:
+    names = [name for name, _, _ in report.FIGURES]
+    header = ["member", "sections", "plates", "length", "mass", *names, "result"]
+    rows = []
+    for record in records:
+        cells = [
+            _cell(record.member),
+            _cell(record.sections),
+            _number(float(len(record.plates)), 0),
+            _number(record.length, 0),
+            _number(record.mass, 1),
+        ]
+        for (_, limit, digits), value in zip(report.FIGURES, report.figures(record), strict=True):
+            over = value is not None and not value <= limit
+            cells.append(_number(value, digits, "over" if over else ""))
+        cells.append(_cell(report.verdict(record, known)))
+        rows.append(cells)
+    limits = [*(_cell("") for _ in range(4)), _cell("limit")]
+    limits += [_number(limit, digits) for _, limit, digits in report.FIGURES]
+    return _table(header, [*rows, [*limits, _cell("")]], numbers=range(2, 10))
+
+
+def _sources(sources: Sequence[ErrorSource]) -> str:
+    rows = [
+        [
+            _cell(source.name),
+            _number(source.size, 4 if source.size < 0.1 else 1),
+            _cell(source.where),
+            _cell(
+                {"given": "in what was given", "fabrication": "in the shop"}.get(
+                    source.kind, "computed here"
+                )
+            ),
+            _cell(source.note),
+        ]
+        for source in sources
+    ]
+    return _table(["source", "size, mm", "worst at", "lies", "what it is"], rows, numbers=(1,))
+
+
+def _findings(known: Sequence[Finding]) -> str:
+    if not known:
+        return "<p>None.</p>"
+    order = {"error": 0, "warning": 1, "note": 2}
+    rows = [
+        [
+            f'<td class="{f.severity}">{f.severity}</td>',
+            _cell(f.object),
+            _cell(f.position),
+            _cell(f.message),
+            _value(f.value, f.unit),
+            _value(f.limit, f.unit),
+            _cell(f.mend),
+        ]
+        for f in sorted(known, key=lambda f: order.get(f.severity, 3))
+    ]
+    header = ["", "object", "where", "what", "value", "limit", "what mends it"]
+    return _table(header, rows, numbers=(4, 5))
+
+
+def _plates(records: Sequence[MemberRecord]) -> str:
+    header = [
+        "plate",
+        "part",
+        "piece",
+        "t",
+        "length",
+        "width",
+        "area, m²",
+        "mass",
+        "forming",
+        "max error",
+        "bound",
+        "strain, %",
+    ]
+    rows = [
+        [
+            _cell(p.mark),
+            _cell(p.part),
+            _cell(str(p.piece)),
+            _number(p.thickness, 0),
+            _number(p.length, 1),
+            _number(p.width, 1),
+            _number(p.area * 1e-6, 3),
+            _number(p.mass, 1),
+            _cell(p.forming or ""),
+            _number(p.length_error_max, 4),
+            _number(p.length_error_bound, 4),
+            _number(100.0 * p.strain_max, 4),
+        ]
+        for record in records
+        for p in record.plates
+    ]
+    return _table(header, rows, numbers=(3, 4, 5, 6, 7, 9, 10, 11))
+
+
+def _table(header: Sequence[str], rows, numbers=()) -> str:
+    if not rows:
+        return "<p>None.</p>"
+    head = "".join(
+        f'<th class="n">{escape(name)}</th>' if k in numbers else f"<th>{escape(name)}</th>"
+        for k, name in enumerate(header)
+    )
+    body = "\n".join(f"<tr>{''.join(cells)}</tr>" for cells in rows)
+    table = f"<table><thead><tr>{head}</tr></thead><tbody>\n{body}\n</tbody></table>"
+    return f'<div class="scroll">{table}</div>'
+
+
+def _cell(text: str) -> str:
+    return f"<td>{escape(str(text))}</td>"
+
+
+def _number(value: float | None, digits: int, kind: str = "") -> str:
+    text = "" if value is None else f"{value:.{digits}f}"
+    return f'<td class="n {kind}">{text}</td>' if kind else f'<td class="n">{text}</td>'
+
+
+def _value(value, unit: str) -> str:
+    if isinstance(value, float):
+        value = f"{value:.4g}"
+    text = "" if value is None or value == "" else f"{value} {unit}".strip()
+    return f'<td class="n">{escape(text)}</td>'

@@ -1,0 +1,274 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Issues: the files of a build frozen under a revision, with a list of what was transmitted.
+
+`issued/B` holds copies of the files that changed since the issue before, their names ending in
+`_B`, and transmittal.json with the hash and revision of every file that is valid now. Nothing in
+it is ever written again.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
+from dataclasses import asdict, dataclass
+from pathlib import Path, PurePosixPath
+
+from BendTorsionWB.core.finding import BendTorsionError, error
+from BendTorsionWB.core.lofting import MemberRecord
+from BendTorsionWB.exchange.csv_folder import csv_bytes
+from BendTorsionWB.exchange.output_folder import file_hash, read_manifest
+from BendTorsionWB.exchange.plate_outlines import (
+    CutOutline,
+    cut_outline,
+    read_outlines,
+    write_outlines,
+)
+from BendTorsionWB.exchange.report import dxf_name, nc1_name
+from BendTorsionWB.exchange.revision import PlateChange, plate_changes, with_marking, write_revision
+from BendTorsionWB.exchange.whole_file import write_whole
+from BendTorsionWB.exchange.xlsx_file import TENTH, TEXT, WHOLE, Column, Table, xlsx_bytes
+
+ISSUED = "issued"
+TRANSMITTAL = "transmittal"
+OUTLINES = "outlines.npz"
+_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9.-]{0,15}")
+_NOT_ISSUED = ("revision.xlsx", "revision.json", "report.json")
+
+
+@dataclass(frozen=True)
+class IssuedFile:
+    """A line of a transmittal. name: of the build's file; issued_as: path below `issued`;
+    revision: in which it changed last; what: same, changed, new or void in this issue."""
+
+    name: str
+    issued_as: str
+    revision: str
+    what: str
+    member: str
+    plate: str
+    deviation: float | None
+    sha256: str
+    bytes: int
+
+
+@dataclass(frozen=True)
+class Issue:
+    """A frozen issue: its revision, its number from 1, and its lines by file name."""
+
+    revision: str
+    number: int
+    note: str
+    files: Mapping[str, IssuedFile]
+
+
+def last_issue(out: Path) -> Issue | None:
+    """The latest issue of a folder; raises BendTorsionError for a transmittal that cannot be
+    read."""
+    found = []
+    for path in sorted((out / ISSUED).glob(f"*/{TRANSMITTAL}.json")):
+        try:
+            content = json.loads(path.read_text(encoding="utf-8"))
+            files = {item["name"]: IssuedFile(**item) for item in content["files"]}
+            found.append(Issue(content["revision"], int(content["number"]), content["note"], files))
+        except (OSError, ValueError, KeyError, TypeError) as problem:
+            raise _fault(
+                "issue-unreadable", str(path), f"cannot be read: {problem}", "restore it"
+            ) from problem
+    return max(found, key=lambda issue: issue.number, default=None)
+
+
+def issued_outlines(out: Path, issue: Issue | None) -> Mapping[str, CutOutline]:
+    """The outlines of an issue by mark."""
+    return read_outlines(out / ISSUED / issue.revision / OUTLINES) if issue else {}
+
+
+def unchanged_marks(out: Path, issue: Issue) -> set[str]:
+    """Marks of plates whose cut files in the folder are those of the issue to the byte."""
+    same: dict[str, bool] = {}
+    for item in issue.files.values():
+        if item.plate and item.what != "void":
+            equal = file_hash(out / item.name) == item.sha256
+            same[item.plate] = same.get(item.plate, True) and equal
+    return {mark for mark, equal in same.items() if equal}
+
+
+def issue(out: Path, revision: str, outlines: Path, note: str = "") -> Issue:
+    """Freeze the files of a built folder under a revision. outlines: the file of the build's plate
+    outlines. Raises BendTorsionError for a revision there is already, files that are not as the
+    build left them, and a folder without a build; then nothing is written."""
+    out = Path(out)
+    target = out / ISSUED / revision
+    former = last_issue(out)
+    _check(out, revision, target)
+    manifest = {n: own for n, own in read_manifest(out).items() if n not in _NOT_ISSUED}
+    now = read_outlines(outlines)
+    if not manifest or not now:
+        raise _fault("issue-nothing", str(out), "there is no whole build", "build it first")
+    wrong = [name for name, own in manifest.items() if file_hash(out / name) != own.sha256]
+    if wrong:
+        raise BendTorsionError(
+            error("file-changed", str(out / name), "is not as the build left it", "build it again")
+            for name in wrong
+        )
+    before = issued_outlines(out, former)
+    same = unchanged_marks(out, former) if former else set()
+    changes = {c.mark: c for c in with_marking(plate_changes(before, now, {}), same, {})}
+    marks = {made: mark for mark in now for made in (dxf_name(mark), nc1_name(mark))}
+    lines, copies = {}, []
+    for name, own in sorted(manifest.items()):
+        old = former.files.get(name) if former else None
+        if old is not None and old.what != "void" and old.sha256 == own.sha256:
+            line = IssuedFile(**{**asdict(old), "what": "same", "deviation": None})
+        else:
+            issued_as = _revised(name, revision)
+            change = changes.get(marks.get(name, ""))
+            line = IssuedFile(
+                name,
+                f"{revision}/{issued_as}",
+                revision,
+                "new" if old is None or old.what == "void" else "changed",
+                own.member,
+                marks.get(name, ""),
+                change.deviation if change else None,
+                own.sha256,
+                (out / name).stat().st_size,
+            )
+            copies.append((name, issued_as))
+        lines[name] = line
+    for name, old in former.files.items() if former else ():
+        if name not in lines and old.what != "void":
+            lines[name] = IssuedFile(**{**asdict(old), "what": "void", "deviation": None})
+    made = Issue(revision, former.number + 1 if former else 1, note, lines)
+    _freeze(out, target, made, copies, now)
+    return made
+
+
+def _check(out: Path, revision: str, target: Path) -> None:
+    if not _NAME.fullmatch(revision):
+        mend = "use letters, digits, points and hyphens, such as B or P02"
+        raise _fault("revision-name", revision, "is no name for a revision", mend)
+    taken = {p.name.lower() for p in (out / ISSUED).glob("*") if not p.name.startswith(".")}
+    if revision.lower() in taken:
+        raise _fault("revision-exists", str(target), "is issued already", "choose another --rev")
+
+
+def _revised(name: str, revision: str) -> str:
+    path = PurePosixPath(name)
+    return str(path.with_name(f"{path.stem}_{revision}{path.suffix}"))
+
+
+def _freeze(out: Path, target: Path, made: Issue, copies, outlines) -> None:
+    part = target.with_name(f".{made.revision}.{os.getpid()}.part")
+    try:
+        for name, issued_as in copies:
+            (part / issued_as).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(out / name, part / issued_as)
+        part.mkdir(parents=True, exist_ok=True)
+        write_outlines(outlines.values(), part / OUTLINES)
+        _write_transmittal(made, part)
+        for path in part.rglob("*"):
+            if path.is_file():
+                path.chmod(0o444)
+        os.rename(part, target)
+    except OSError as failure:
+        mend = "free space on the disk, or allow writing to the folder"
+        raise _fault("file-not-written", str(target), f"{failure.strerror}", mend) from failure
+    finally:
+        shutil.rmtree(part, ignore_errors=True)
+
+
+COLUMNS = (
+    Column("file", TEXT, 30),
+    Column("issued_as", TEXT, 34),
+    Column("revision", TEXT, 10),
+    Column("what", TEXT, 10),
+    Column("member", TEXT, 12),
+    Column("plate", TEXT, 14),
+    Column("deviation", TENTH, 11),
+    Column("sha256", TEXT, 66),
+    Column("bytes", WHOLE, 12),
+)
+
+
+def _write_transmittal(made: Issue, folder: Path) -> None:
+    rows = [tuple(asdict(line).values()) for line in made.files.values()]
+    counts = [(what, counted(made)[what]) for what in ("new", "changed", "same", "void")]
+    notes = [("revision", made.revision), ("note", made.note), *counts]
+    table = Table("Transmittal", COLUMNS, rows, notes)
+    title = f"Transmittal {made.revision}"
+    write_whole(folder / f"{TRANSMITTAL}.xlsx", xlsx_bytes([table], title))
+    write_whole(
+        folder / f"{TRANSMITTAL}.csv", csv_bytes([[column.name for column in COLUMNS], *rows])
+    )
+    content = {
+        "revision": made.revision,
+        "number": made.number,
+        "note": made.note,
+        "files": [asdict(line) for line in made.files.values()],
+    }
+    text = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+    write_whole(folder / f"{TRANSMITTAL}.json", text.encode())
+
+
+def counted(made: Issue) -> dict[str, int]:
+    """How many files are new, changed, same and void."""
+    return {
+        what: sum(line.what == what for line in made.files.values())
+        for what in ("new", "changed", "same", "void")
+    }
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """A build against the last issue: the outlines of the folder's plates now, and the changes of
+    those built."""
+
+    issue: Issue | None
+    outlines: Mapping[str, CutOutline]
+    changes: tuple[PlateChange, ...]
+
+
+def compared(
+    out: Path,
+    kept: Path,
+    records: Iterable[MemberRecord],
+    statuses: Mapping[str, str],
+    partial: bool,
+    run: Callable = map,
+) -> Comparison:
+    """Compare the plates of a build with the last issue. kept: the file of the folder's outlines;
+    partial: whether plates of members not built stay as they were."""
+    former = last_issue(out)
+    records = list(records)
+    built = {record.member for record in records}
+    now = {plate.mark: cut_outline(plate) for record in records for plate in record.plates}
+    before = issued_outlines(out, former)
+    if partial:
+        before = {mark: plate for mark, plate in before.items() if plate.member in built}
+    changes = plate_changes(before, now, statuses, run) if former else ()
+    if partial:
+        others = read_outlines(kept).values()
+        now |= {plate.mark: plate for plate in others if plate.member not in built}
+    return Comparison(former, now, changes)
+
+
+def write_comparison(
+    found: Comparison, out: Path, kept: Path, statuses: Mapping[str, str]
+) -> list[str]:
+    """Keep the outlines, and write what changed since the last issue; names of the files. Outlines
+    that cannot be kept leave the build as it is; it cannot be issued then."""
+    with suppress(BendTorsionError):
+        write_outlines([found.outlines[mark] for mark in sorted(found.outlines)], kept)
+    if found.issue is None:
+        return []
+    same = unchanged_marks(out, found.issue)
+    changes = with_marking(found.changes, same, statuses)
+    return write_revision(found.issue.revision, changes, out)
+
+
+def _fault(code: str, object: str, message: str, mend: str) -> BendTorsionError:
+    return BendTorsionError(error(code, object, message, mend))

@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a build leaves in its folder: which files are ours, of which member, and made from what."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from BendTorsionWB.core.finding import BendTorsionError, Finding, error, warning
+from BendTorsionWB.exchange.whole_file import write_whole
+
+MANIFEST = ".bendtorsion.json"
+"""The record of our files in the folder."""
+UPDATED = "update "
+"""How the key of a document begins that was brought up to date and may hold hand-made additions."""
+
+
+@dataclass(frozen=True)
+class OwnFile:
+    """A file of ours. member: whose it is, empty for the whole building; made_from: key of its
+    input; sha256: hash of what we wrote."""
+
+    member: str
+    made_from: str = ""
+    sha256: str = ""
+
+
+def check_folder(out: Path) -> None:
+    """Raises BendTorsionError when the folder cannot be written to, before hours of computing."""
+    existing = next(path for path in (out, *out.absolute().parents) if path.exists())
+    if existing.is_dir() and os.access(existing, os.W_OK | os.X_OK):
+        return
+    problem = "cannot be written to" if existing.is_dir() else "is a file, not a folder"
+    raise BendTorsionError(
+        error("file-not-written", str(existing), problem, "choose another folder for --out")
+    )
+
+
+def check_project(out: Path, project: str, force: bool = False) -> None:
+    """Raises BendTorsionError when the folder holds the files of a project of another name, unless
+    forced: a build removes files that are no longer made. A project without a name is any."""
+    other = _read(out).get("project", "")
+    if not force and project and isinstance(other, str) and other not in ("", project):
+        raise BendTorsionError(
+            error(
+                "folder-of-another-project",
+                str(out),
+                f"the folder holds the files of project {other!r}, this is {project!r}",
+                "choose another folder, or add --force to replace that project's files",
+            )
+        )
+
+
+def read_manifest(out: Path) -> dict[str, OwnFile]:
+    """Our files by name as the last build left them; nothing where the record is lost."""
+    files = _read(out).get("files")
+    inside = out.resolve()
+    found = {}
+    for name, item in files.items() if isinstance(files, dict) else ():
+        if isinstance(item, dict) and inside in (out / name).resolve().parents:
+            known = {key: str(item.get(key, "")) for key in ("member", "made_from", "sha256")}
+            found[name] = OwnFile(**known)
+    return found
+
+
+def _read(out: Path) -> dict:
+    try:
+        former = json.loads((out / MANIFEST).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return former if isinstance(former, dict) else {}
+
+
+def write_manifest(out: Path, files: Mapping[str, OwnFile], project: str = "") -> None:
+    """Keep the record of a project's files. Raises BendTorsionError."""
+    content = {"project": project, "files": {name: asdict(files[name]) for name in sorted(files)}}
+    write_whole(out / MANIFEST, (json.dumps(content, indent=1) + "\n").encode())
+
+
+def file_hash(path: Path) -> str:
+    """sha256 of a file; empty when it cannot be read."""
+    try:
+        return hashlib.sha256(path.read_bytes()).hexdigest()
+    except OSError:
+        return ""
+
+
+def is_current(out: Path, name: str, own: OwnFile | None, made_from: str) -> bool:
+    """Whether a file is there, as we wrote it, from this very input."""
+    return (
+        own is not None
+        and own.made_from == made_from != ""
+        and file_hash(out / name) == own.sha256 != ""
+    )
+
+
+def remove(out: Path, names: Iterable[str]) -> None:
+    """Remove files of ours; raises BendTorsionError for one that cannot go."""
+    for name in names:
+        try:
+            (out / name).unlink(missing_ok=True)
+        except OSError as failure:
+            raise BendTorsionError(
+                error(
+                    "file-not-written",
+                    str(out / name),
+                    f"cannot be removed: {failure.strerror or failure}",
+                    "close the program that holds it open, or allow writing to its folder",
+                )
+            ) from failure
+
+
+class OutputFolder:
+    """The output folder during a build: what was there, and what is there now."""
+
+    def __init__(self, out: Path, former: dict[str, OwnFile], project: str = ""):
+        self.out, self.former, self.now, self.project = out, former, {}, project
+
+    def has(self, name: str, made_from: str) -> bool:
+        """Whether the file is there already, from this very input."""
+        return name in self.now or is_current(self.out, name, self.former.get(name), made_from)
+
+    def keep(self, name: str) -> None:
+        """The file stays as it is."""
+        self.now[name] = self.former[name]
+
+    def wrote(self, name: str, made_from: str, member: str = "") -> None:
+        """The file has just been written."""
+        self.now[name] = OwnFile(member, made_from, file_hash(self.out / name))
+
+    def save_by_hand(self, name: str) -> None:
+        """Set a document aside that may hold work by hand, before another takes its place."""
+        own = self.former.get(name)
+        place = self.out / name
+        by_hand = own is None or own.made_from.startswith(UPDATED)
+        if place.exists() and (by_hand or file_hash(place) != own.sha256):
+            os.replace(place, place.with_suffix(f".former{place.suffix}"))
+
+    def close(self, built: set[str] | None) -> tuple[Finding, ...]:
+        """Remove what is no longer made, and keep the record. built: the members of a partial
+        build; files of others stay. Documents changed by hand stay, with a warning."""
+        outdated = []
+        for name, own in self.former.items():
+            if name in self.now:
+                continue
+            if built is not None and own.member and own.member not in built:
+                self.now[name] = own
+            elif not own.member and file_hash(self.out / name) not in ("", own.sha256):
+                outdated.append(
+                    warning(
+                        "file-outdated",
+                        name,
+                        "was changed by hand and is not of this build",
+                        "build it again, or move it away",
+                    )
+                )
+            else:
+                remove(self.out, [name])
+        write_manifest(self.out, self.now, self.project)
+        return tuple(outdated)

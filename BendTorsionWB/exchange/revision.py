@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What became of every plate since the last issue: same, changed by so much, new or void; and what
+that means for plates already cut."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from BendTorsionWB.core.finding import Finding, error, warning
+from BendTorsionWB.core.outline_change import SAME, deviation, trim
+from BendTorsionWB.exchange.plate_outlines import CutOutline
+from BendTorsionWB.exchange.whole_file import write_changed
+from BendTorsionWB.exchange.xlsx_file import FINE, TENTH, TEXT, Column, Table, xlsx_bytes
+
+STATUSES = ("cut", "trim", "scrap")
+"""Of a plate in the shop: cut, so that it must not change, or its trimming or scrapping agreed."""
+REVISION = "revision"
+
+
+@dataclass(frozen=True)
+class PlateChange:
+    """A plate against the last issue. what: `same`, `changed`, `new` or `void`; deviation: mm
+    between the outlines in their best alignment; length, width: mm more than before; note: what
+    else changed; verdict: of a plate already cut."""
+
+    mark: str
+    what: str
+    deviation: float | None = None
+    length: float | None = None
+    width: float | None = None
+    note: str = ""
+    status: str = ""
+    verdict: str = ""
+
+
+def plate_change(before: CutOutline | None, after: CutOutline | None) -> PlateChange:
+    """The change of one plate, its files apart."""
+    mark = (after or before).mark
+    if before is None or after is None:
+        return PlateChange(mark, "new" if before is None else "void")
+    notes = [
+        f"{what} {old:g} -> {new:g}" if isinstance(old, float) else f"{what} {old} -> {new}"
+        for what, old, new in (
+            ("thickness", before.thickness, after.thickness),
+            ("material", before.material, after.material),
+        )
+        if old != new
+    ]
+    if not _same_holes(before, after):
+        notes.append("openings")
+    apart = deviation(before.outline, after.outline)
+    return PlateChange(
+        mark,
+        "changed" if notes or apart > SAME else "same",
+        apart,
+        after.length - before.length,
+        after.width - before.width,
+        ", ".join(notes),
+    )
+
+
+def plate_changes(
+    before: Mapping[str, CutOutline],
+    after: Mapping[str, CutOutline],
+    statuses: Mapping[str, str],
+    run: Callable = map,
+) -> tuple[PlateChange, ...]:
+    """The changes of all plates, those there are now first. statuses: of STATUSES by mark; run:
+    maps plate_change over plates, an executor's map for instance."""
+    marks = list(dict.fromkeys((*after, *before)))
+    apart = [mark for mark in marks if not _equal(before.get(mark), after.get(mark))]
+    found = run(plate_change, [before.get(m) for m in apart], [after.get(m) for m in apart])
+    changed = {change.mark: change for change in found}
+    changes = []
+    for mark in marks:
+        change = changed.get(mark) or PlateChange(mark, "same", 0.0, 0.0, 0.0)
+        status = statuses.get(mark, "")
+        if status and change.what != "same":
+            verdict = _verdict(change, before.get(mark), after.get(mark))
+            change = replace(change, status=status, verdict=verdict)
+        changes.append(change)
+    return tuple(changes)
+
+
+def with_marking(
+    changes: tuple[PlateChange, ...], same_files: set[str], statuses: Mapping[str, str]
+) -> tuple[PlateChange, ...]:
+    """The changes, with those added that only the files show: marks and texts. same_files: plates
+    whose cut files are the issued ones to the byte."""
+    return tuple(
+        replace(
+            change,
+            what="changed",
+            note="marking",
+            status=statuses.get(change.mark, ""),
+            verdict="use as it is: only its marking changed" if change.mark in statuses else "",
+        )
+        if change.what == "same" and change.mark not in same_files
+        else change
+        for change in changes
+    )
+
+
+def _equal(before: CutOutline | None, after: CutOutline | None) -> bool:
+    if before is None or after is None or len(before.holes) != len(after.holes):
+        return False
+    return (before.thickness, before.material) == (after.thickness, after.material) and all(
+        np.array_equal(old, new)
+        for old, new in zip((before.outline, *before.holes), (after.outline, *after.holes))
+    )
+
+
+def _verdict(change: PlateChange, old: CutOutline | None, new: CutOutline | None) -> str:
+    """What to do with a plate already cut."""
+    if old is None:
+        return ""
+    if new is None:
+        return "scrap: the plate is no longer needed"
+    if old.thickness != new.thickness or old.material != new.material:
+        return f"scrap: {change.note}"
+    if not all(_inside_none(hole, new) for hole in old.holes):
+        return "scrap: it has an opening where the new one has none"
+    cut = trim(old.outline, new.outline, old.end_first)
+    if not cut.possible:
+        return f"scrap: {cut.missing:.1f} mm of material are missing"
+    work = [f"trim {mm:.1f} mm at {side}" for side, mm in cut.sides]
+    if len(new.holes) > len(old.holes):
+        work.append("cut the new openings")
+    return "; ".join(work) or "use as it is"
+
+
+def _same_holes(before: CutOutline, after: CutOutline) -> bool:
+    if len(before.holes) != len(after.holes):
+        return False
+    own = (before.outline.mean(axis=0), after.outline.mean(axis=0))
+    return all(
+        deviation(old, new) <= SAME
+        and abs((old.mean(axis=0) - own[0]) - (new.mean(axis=0) - own[1])).max() <= 1.0
+        for old, new in zip(before.holes, after.holes)
+    )
+
+
+def _inside_none(hole, new: CutOutline) -> bool:
+    return any(deviation(hole, other) <= SAME for other in new.holes)
+
+
+def cut_findings(changes: tuple[PlateChange, ...]) -> tuple[Finding, ...]:
+    """An error for each plate marked `cut` that would change, a warning where that is agreed to or
+    where it can be used all the same."""
+    found = []
+    for change in changes:
+        if not change.status:
+            continue
+        agreed = change.status != "cut" or change.verdict.startswith("use as it is")
+        make = warning if agreed else error
+        verb = change.verdict.partition(":")[0].split(" ")[0]
+        found.append(
+            make(
+                "cut-plate-changes",
+                change.mark,
+                f"is cut already and would be {change.what}: {change.verdict}",
+                f"leave the plate as issued, or give it the status {verb} when that is agreed to"
+                if not agreed
+                else "tell the shop",
+                value=None if change.deviation is None else float(change.deviation),
+                limit=SAME,
+                unit="mm",
+            )
+        )
+    return tuple(found)
+
+
+COLUMNS = (
+    Column("plate", TEXT, 14),
+    Column("what", TEXT, 10),
+    Column("deviation", FINE, 12),
+    Column("length_change", TENTH, 14),
+    Column("width_change", TENTH, 14),
+    Column("note", TEXT, 30),
+    Column("status", TEXT, 9),
+    Column("verdict", TEXT, 44),
+)
+
+
+def write_revision(since: str, changes: tuple[PlateChange, ...], out: Path) -> list[str]:
+    """Write revision.xlsx and revision.json; their names. since: the issue compared with."""
+    rows = [tuple(asdict(change).values()) for change in changes]
+    counts = {what: sum(c.what == what for c in changes) for what in WHAT}
+    notes = [("since", since), *counts.items()]
+    table = Table("Plates", COLUMNS, rows, notes)
+    write_changed(out / f"{REVISION}.xlsx", xlsx_bytes([table], f"Changes since revision {since}"))
+    content = {"since": since, "plates": [asdict(change) for change in changes], **counts}
+    write_changed(out / f"{REVISION}.json", (json.dumps(content, indent=1) + "\n").encode())
+    return [f"{REVISION}.xlsx", f"{REVISION}.json"]
+
+
+WHAT = ("same", "changed", "new", "void")

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sheet Nodes of a schedule: its columns, and what its rows must be."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from BendTorsionWB.core.detailing import MemberJob
+from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.core.node_input import NodeInput
+from BendTorsionWB.core.node_jobs import jobs_with_nodes
+from BendTorsionWB.core.nodes import Found
+from BendTorsionWB.core.rules import node_rules
+
+NODE_COLUMNS = (
+    "node",
+    "through",
+    "other",
+    "s",
+    "type",
+    "gap",
+    "stub_length",
+    "diaphragms",
+    "blend",
+)
+
+
+def check_nodes(records, faults: list) -> None:
+    """Appends (place, finding) of rows that cannot be a node."""
+
+    def fault(record, column, code, message, mend, **fields):
+        faults.append((record.place, record.error(column, code, message, mend, **fields)))
+
+    for record in records:
+        if record.bad & {"through", "other", "type", "stub_length"}:
+            continue
+        if record["through"] == record["other"]:
+            fault(
+                record,
+                "other",
+                "node-of-itself",
+                "a member does not meet itself",
+                "name the member that ends here",
+                value=record["other"],
+            )
+        if record["type"] == "stub" and not record["stub_length"]:
+            fault(
+                record,
+                "stub_length",
+                "value-missing",
+                "a stub needs its length",
+                "write the distance from the node to the field joint in mm",
+            )
+        if record["type"] == "direct" and record["stub_length"]:
+            fault(
+                record,
+                "stub_length",
+                "not-used",
+                "a direct node has no stub",
+                "clear the cell, or write stub under type",
+                value=record["stub_length"],
+            )
+
+
+def node_input(row) -> NodeInput:
+    """What a row asks for; its place as mm is resolved with the axis."""
+    place = row.s.value if row.s is not None else None
+    return NodeInput(
+        row.through,
+        row.other,
+        row.name or "",
+        place,
+        row.type,
+        row.gap,
+        row.stub_length,
+        row.diaphragms,
+        row.blend,
+        row.s is not None and row.s.is_ratio,
+    )
+
+
+def with_nodes(schedule, jobs: Mapping[str, MemberJob]) -> tuple[dict[str, MemberJob], Found]:
+    """The jobs of all members with their nodes, and what was found. Without ranks and rows no
+    node can be resolved, and none is looked for.
+
+    Raises BendTorsionError at the cells of rows that name no node.
+    """
+    ranks = {row.name: row.rank for row in schedule.members}
+    if not schedule.nodes and not any(rank is not None for rank in ranks.values()):
+        return dict(jobs), Found()
+    rows = [node_input(row) for row in schedule.nodes]
+    made, found = jobs_with_nodes(jobs, ranks, rows, node_rules(schedule.settings.rule_pack))
+    of_rows = [f for f in found.findings if f.position.startswith("row ")]
+    if of_rows:
+        raise BendTorsionError(
+            dict.fromkeys(
+                schedule.nodes[int(f.position.split()[1]) - 1].error(
+                    "other", f.code, f.message, f.mend
+                )
+                for f in of_rows
+            )
+        )
+    return made, found

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Files, folders and choices asked of the user; each None when the question is cancelled."""
+
+from __future__ import annotations
+
+import FreeCADGui
+
+from BendTorsionWB.gui.qt import QtWidgets
+
+
+def open_file(title: str, kinds: str) -> str | None:
+    """A file that is there."""
+    window = FreeCADGui.getMainWindow()
+    return QtWidgets.QFileDialog.getOpenFileName(window, title, "", kinds)[0] or None
+
+
+def save_file(title: str, kinds: str, suffix: str) -> str | None:
+    """A file to write, its name ending in suffix unless the user gave another one."""
+    window = FreeCADGui.getMainWindow()
+    path = QtWidgets.QFileDialog.getSaveFileName(window, title, "", kinds)[0]
+    if path and "." not in path.rsplit("/", 1)[-1]:
+        path += suffix
+    return path or None
+
+
+def folder(title: str) -> str | None:
+    """A folder to write into."""
+    return QtWidgets.QFileDialog.getExistingDirectory(FreeCADGui.getMainWindow(), title) or None
+
+
+def choice(title: str, label: str, choices: list[str]) -> str | None:
+    """One of several."""
+    window = FreeCADGui.getMainWindow()
+    text, accepted = QtWidgets.QInputDialog.getItem(window, title, label, choices, 0, False)
+    return text if accepted else None
+
+
+def tell(text: str) -> None:
+    """Show what was done in the status bar for a while."""
+    FreeCADGui.getMainWindow().statusBar().showMessage(text, 10000)

@@ -1,0 +1,349 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Commands that make members and what they are made of: surfaces, axes, sections, cuts."""
+
+from __future__ import annotations
+
+import FreeCAD
+import FreeCADGui
+
+from BendTorsionWB.gui import macro, selection
+from BendTorsionWB.gui.command import Command
+from BendTorsionWB.gui.preview import Preview
+
+translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+
+def members_from_selection(document) -> None:
+    """Read the selection, ask for the section, make the members in one undo step."""
+    from BendTorsionWB.gui import section_dialog
+
+    surface, curves = selection.surface_and_curves(selection.picked())
+    choice = section_dialog.ask(FreeCADGui.getMainWindow(), next_number(document), len(curves))
+    if choice is not None:
+        make_members(document, surface, curves, choice)
+
+
+def make_members(document, surface, curves, choice) -> list:
+    """Numbered members with plates, one per curve, in one undo step.
+
+    surface, curves: as `selection.surface_and_curves`. choice: `section_dialog.SectionChoice`.
+    Raises BendTorsionError, the document as before, when one of them cannot be built.
+    """
+    with macro.undo_step(document, translate("BendTorsion", "Members from selection")):
+        before = len(document.Objects)
+        if isinstance(surface, tuple):
+            surface = macro.make("make_surface", document, "Surface", face=surface)
+        section = macro.make(
+            "make_section",
+            document,
+            free_label(document, "Section"),
+            choice.type,
+            h=choice.h,
+            b=choice.b,
+            t=choice.t,
+        )
+        members = []
+        marks = free_marks(document, len(curves), choice.first)
+        for mark, curve in zip(marks, curves, strict=True):
+            axis = macro.make("make_axis", document, f"{mark}-axis", surface, edge=curve)
+            segment = {"align": choice.align}
+            member = macro.make("make_member", document, mark, axis, [section], [segment])
+            macro.make("make_plates", document, member)
+            # The plates show the same body; two skins in one place only flicker.
+            member.ViewObject.Visibility = False
+            members.append(member)
+        macro.recompute()
+        macro.raise_errors(document.Objects[before:])
+    return members
+
+
+def next_number(document) -> int:
+    """The lowest number of which no label M1, M2, … is taken."""
+    taken = {item.Label for item in document.Objects}
+    return next(k for k in range(1, len(taken) + 2) if f"M{k}" not in taken)
+
+
+def free_marks(document, count: int, first: int = 1) -> list[str]:
+    """The next free marks M1, M2, … from a number on."""
+    taken = {item.Label for item in document.Objects}
+    candidates = (f"M{number}" for number in range(first, first + len(taken) + count))
+    return [mark for mark in candidates if mark not in taken][:count]
+
+
+def free_label(document, label: str) -> str:
+    """The label, or with the next free number behind it."""
+    taken = {item.Label for item in document.Objects}
+    numbered = (f"{label} {k}" for k in range(2, len(taken) + 3))
+    return label if label not in taken else next(n for n in numbered if n not in taken)
+
+
+def surface(document) -> None:
+    """The picked faces as a Surface; without any, an ellipsoid whose kind and sizes are asked."""
+    from BendTorsionWB.gui.panels_model import SurfacePanel
+
+    faces = selection.picked().faces
+    if len(faces) > 1:
+        raise selection.refusal(
+            f"{len(faces)} shapes are selected, one is needed",
+            "select faces of one shape, or nothing for a dome by its sizes",
+        )
+    label = free_label(document, "Surface")
+    given = {"face": faces[0]} if faces else {}
+
+    def create(make):
+        return [make("make_surface", document, label, **given)]
+
+    SurfacePanel(Preview(document, translate("BendTorsion", "Surface"), create=create)).show()
+
+
+def axis(document) -> None:
+    """Axes along the picked curves, through the picked points, or where a picked plane cuts the
+    surface."""
+    from BendTorsionWB.gui.panels_model import AxisPanel
+
+    given = selection.picked()
+    surfaces = given.of_kind("Surface")
+    sources, faces = list(given.curves), list(given.faces)
+    if not surfaces and len(faces) == 1:
+        target = faces.pop()
+    elif len(surfaces) == 1:
+        target = surfaces[0]
+    else:
+        raise selection.refusal(
+            f"{len(surfaces) or len(faces)} surfaces are selected, one is needed", AXIS_MEND
+        )
+    ways = _axis_ways(target, sources, given.points, faces)
+    label = free_label(document, "Axis")
+
+    def create(make):
+        on = target
+        if isinstance(target, tuple):
+            on = make("make_surface", document, free_label(document, "Surface"), face=target)
+        return [
+            make("make_axis", document, label if k == 0 else f"{label} {k + 1}", on, **way)
+            for k, way in enumerate(ways)
+        ]
+
+    AxisPanel(Preview(document, translate("BendTorsion", "Axis"), create=create)).show()
+
+
+AXIS_MEND = "select one face or surface, then curves, points or a plane face that cuts the surface"
+
+
+def _axis_ways(target, curves, points, faces) -> list[dict]:
+    """Arguments of make_axis: one axis per curve, one through the points, or one per plane."""
+    if curves:
+        return [{"edge": curve} for curve in curves]
+    if len(points) > 1:
+        return [{"points": [tuple(point) for point in points], "order": "nearest"}]
+    planes = [_plane_of(face) for face in faces]
+    if planes and all(planes):
+        return [{"rule": _section_rule(target, *plane)} for plane in planes]
+    raise selection.refusal("no curve, no two points and no plane are selected", AXIS_MEND)
+
+
+def _plane_of(face) -> tuple | None:
+    """A point and the normal of a picked plane face."""
+    obj, names = face
+    shape = obj.Shape if not names or isinstance(names, list) else obj.Shape.getElement(names)
+    faces = shape.Faces
+    if len(faces) != 1 or faces[0].Surface.TypeId != "Part::GeomPlane":
+        return None
+    return tuple(faces[0].CenterOfMass), tuple(faces[0].normalAt(0.0, 0.0))
+
+
+def _section_rule(target, origin, normal) -> dict:
+    """The plane section of a surface, between the ends of the longest curve the kernel finds."""
+    obj, names = target if isinstance(target, tuple) else (target, "")
+    shape = obj.Shape.getElement(names) if isinstance(names, str) and names else obj.Shape
+    direction = FreeCAD.Vector(*normal)
+    wires = shape.slice(direction, direction.dot(FreeCAD.Vector(*origin)))
+    if not wires:
+        raise selection.refusal("the plane does not cut the surface", "move the plane")
+    wire = max(wires, key=lambda item: item.Length)
+    edges = wire.OrderedEdges
+    start = edges[0].valueAt(edges[0].FirstParameter)
+    ends = [start, *(vertex.Point for vertex in wire.OrderedVertexes)]
+    return {
+        "kind": "plane section",
+        "origin": tuple(origin),
+        "normal": tuple(normal),
+        "start": tuple(ends[1]),
+        "end": tuple(ends[-1]),
+    }
+
+
+def section(document) -> None:
+    """The selected section, or a new one."""
+    from BendTorsionWB.gui.panels_model import SectionPanel
+
+    sections = selection.picked().of_kind("SectionSpec")
+    name = translate("BendTorsion", "Section")
+    if sections:
+        SectionPanel(Preview(document, name, sections[:1])).show()
+        return
+    label = free_label(document, "Section")
+    preview = Preview(document, name, create=lambda make: [make("make_section", document, label)])
+    SectionPanel(preview).show()
+
+
+def member(document) -> None:
+    """The selected member, or a new one along the selected axis with the selected sections."""
+    from BendTorsionWB.gui.member_panel import MemberPanel
+
+    given = selection.picked()
+    axes, sections = given.of_kind("Axis"), given.of_kind("SectionSpec")
+    name = translate("BendTorsion", "Member")
+    if not axes:
+        mend = "select an axis and a section, or a member to edit"
+        MemberPanel(Preview(document, name, selection.of_member(given, "Member", mend)[:1])).show()
+        return
+    if not sections:
+        sections = [obj for obj in document.Objects if getattr(obj, "BT_Type", "") == "SectionSpec"]
+        sections = sections[-1:]
+    if not sections:
+        raise selection.refusal("there is no section", "make a section first")
+    mark = free_marks(document, 1)[0]
+
+    def create(make):
+        # Sections share the length evenly until their cuts are moved.
+        segments = [{}, *({"cut_ratio": k / len(sections)} for k in range(1, len(sections)))]
+        return [make("make_member", document, mark, axes[0], sections, segments)]
+
+    MemberPanel(Preview(document, name, create=create)).show()
+
+
+def cut_point(document) -> None:
+    """A cut where the selected member was clicked; in its middle when it was picked in the tree."""
+    from BendTorsionWB.gui.member_panel import MemberPanel
+
+    mend = "click a member where the cut is to be"
+    given = selection.picked()
+    members = selection.of_member(given, "Member", mend)
+    if len(members) > 1:
+        raise selection.refusal(f"{len(members)} members are selected, one is needed", mend)
+    target = members[0]
+    points = [
+        tuple(point)
+        for item in FreeCADGui.Selection.getSelectionEx()
+        for point in item.PickedPoints
+        if item.SubElementNames
+    ]
+    place = points[0] if points else 0.5 * target.Length.Value
+    numbers = []
+
+    def create(make):
+        numbers.append(make("add_cut", target, place))
+        return [target]
+
+    preview = Preview(document, translate("BendTorsion", "Cut point"), create=create)
+    MemberPanel(preview, numbers[0]).show()
+
+
+def alignment(document) -> None:
+    """The position of the selected members on their axes."""
+    from BendTorsionWB.gui.panels_model import AlignmentPanel
+
+    members = selection.of_member(selection.picked(), "Member", "select members or their plates")
+    AlignmentPanel(Preview(document, translate("BendTorsion", "Alignment"), members)).show()
+
+
+def member_table(document) -> None:
+    """Open the table of all members."""
+    from BendTorsionWB.gui import member_table as table
+
+    table.show(document)
+
+
+COMMANDS = (
+    Command(
+        "MembersFromSelection",
+        QT_TRANSLATE_NOOP("BendTorsion_MembersFromSelection", "Members from selection"),
+        QT_TRANSLATE_NOOP(
+            "BendTorsion_MembersFromSelection",
+            "Select one face, shell or surface and curves on it: each curve becomes a numbered box"
+            " member that follows the face, cut into plates",
+        ),
+        "B, F",
+        members_from_selection,
+        ("Face", "Edge", "Surface"),
+    ),
+    Command(
+        "Surface",
+        QT_TRANSLATE_NOOP("BendTorsion_Surface", "Surface"),
+        QT_TRANSLATE_NOOP(
+            "BendTorsion_Surface",
+            "The surface members follow: from selected faces of a shape; with nothing selected, a"
+            " dome, cylinder, cone, torus or plane by its sizes",
+        ),
+        "B, U",
+        surface,
+        ("Face",),
+    ),
+    Command(
+        "Axis",
+        QT_TRANSLATE_NOOP("BendTorsion_Axis", "Axis from selection"),
+        QT_TRANSLATE_NOOP(
+            "BendTorsion_Axis",
+            "Select a surface and the edges, wires, sketches or points the member runs along, or a"
+            " plane face that cuts the surface",
+        ),
+        "B, A",
+        axis,
+        ("Face", "Edge", "Vertex", "Surface"),
+    ),
+    Command(
+        "Section",
+        QT_TRANSLATE_NOOP("BendTorsion_Section", "Section"),
+        QT_TRANSLATE_NOOP("BendTorsion_Section", "A new section, or the sizes of the one selected"),
+        "B, S",
+        section,
+        ("SectionSpec",),
+    ),
+    Command(
+        "Member",
+        QT_TRANSLATE_NOOP("BendTorsion_Member", "Member"),
+        QT_TRANSLATE_NOOP(
+            "BendTorsion_Member",
+            "A new member along the selected axis with the selected sections, or the segments of"
+            " the member selected",
+        ),
+        "B, M",
+        member,
+        ("Axis", "Member", "PlateSet"),
+    ),
+    Command(
+        "CutPoint",
+        QT_TRANSLATE_NOOP("BendTorsion_CutPoint", "Cut point"),
+        QT_TRANSLATE_NOOP(
+            "BendTorsion_CutPoint",
+            "Click a member where its section is to change: a segment starts there",
+        ),
+        "B, C",
+        cut_point,
+        ("Member", "PlateSet"),
+    ),
+    Command(
+        "Alignment",
+        QT_TRANSLATE_NOOP("BendTorsion_Alignment", "Alignment"),
+        QT_TRANSLATE_NOOP(
+            "BendTorsion_Alignment", "Which of nine points of the section lies on the axis"
+        ),
+        "B, L",
+        alignment,
+        ("Member", "PlateSet"),
+    ),
+    Command(
+        "MemberTable",
+        QT_TRANSLATE_NOOP("BendTorsion_MemberTable", "Member table"),
+        QT_TRANSLATE_NOOP(
+            "BendTorsion_MemberTable",
+            "All members as a table: sections, cuts, slopes, alignments, offsets and joints, edited"
+            " or pasted as in a spreadsheet",
+        ),
+        "B, T",
+        member_table,
+        ("Member", "PlateSet"),
+    ),
+)

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Commands for what is shown of members: plates, skin, axis, frames, labels, colours."""
+
+from __future__ import annotations
+
+import FreeCAD
+import FreeCADGui
+
+from BendTorsionWB.gui import ask, macro, member_display, selection
+from BendTorsionWB.gui.command import Command
+
+translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+MEND = "select members, or have some in the document"
+
+
+def show_frames(document) -> None:
+    """Frame ribbons of the selected axes or members, on or off."""
+    given = selection.picked()
+    axes = given.of_kind("Axis")
+    if not axes:
+        axes = list(dict.fromkeys(item.Axis for item in _members(document) if item.Axis))
+    shown = all(item.ViewObject.ShowFrames for item in axes)
+    for item in axes:
+        _show(item, "ShowFrames", not shown)
+        if not shown:
+            item.ViewObject.Visibility = True
+
+
+def show_marks(document) -> None:
+    """Marks of the selected members' plates, on or off."""
+    _toggle(document, "ShowMarks")
+
+
+def show_points(document) -> None:
+    """Station lines and point labels of the selected members' plates, on or off."""
+    _toggle(document, "ShowPoints")
+
+
+def show_as(document) -> None:
+    """The next of plates, skin and axis for the selected members."""
+    members = _members(document)
+    modes = list(member_display.MODES)
+    now = member_display.mode_of(members[0])
+    following = modes[(modes.index(now) + 1) % len(modes)] if now in modes else modes[0]
+    member_display.show_as(members, following)
+    ask.tell(translate("BendTorsion", member_display.MODES[following]))
+
+
+def colour_by(document) -> None:
+    """Colour the selected members' plates by a figure, with a legend."""
+    plates = _plates(document)
+    words = {
+        translate("BendTorsion", word): word
+        for word in plates[0].getEnumerationsOfProperty("ColourBy")
+    }
+    title = translate("BendTorsion", "Colour by")
+    chosen = ask.choice(title, title, list(words))
+    if chosen is None:
+        return
+    with macro.undo_step(document, title):
+        for item in plates:
+            macro.put(item, "ColourBy", words[chosen])
+        macro.recompute()
+
+
+def _toggle(document, name: str) -> None:
+    plates = _plates(document)
+    shown = all(getattr(item.ViewObject, name) for item in plates)
+    for item in plates:
+        _show(item, name, not shown)
+
+
+def _show(obj, name: str, value: bool) -> None:
+    """Set a property of the view as a recorded line."""
+    place = f"FreeCAD.getDocument({obj.Document.Name!r}).getObject({obj.Name!r})"
+    FreeCADGui.doCommand(f"{place}.ViewObject.{name} = {value!r}")
+
+
+def _members(document) -> list:
+    """The selected members; all when nothing of ours is selected."""
+    return _chosen(document, "Member")
+
+
+def _plates(document) -> list:
+    return _chosen(document, "PlateSet")
+
+
+def _chosen(document, kind: str) -> list:
+    given = selection.picked()
+    if given.ours:
+        return selection.of_member(given, kind, MEND)
+    found = [obj for obj in document.Objects if getattr(obj, "BT_Type", "") == kind]
+    if not found:
+        raise selection.refusal("there is no member", MEND)
+    return found
+
+
+COMMANDS = (
+    Command(
+        "ShowAs",
+        QT_TRANSLATE_NOOP("BendTorsion_ShowAs", "Plates, skin or axis"),
+        QT_TRANSLATE_NOOP(
+            "BendTorsion_ShowAs",
+            "Show plates, outer skin or axis of the selected members, in turn; of all when nothing"
+            " is selected",
+        ),
+        "B, Q",
+        show_as,
+        ("Member", "PlateSet"),
+    ),
+    Command(
+        "ShowFrames",
+        QT_TRANSLATE_NOOP("BendTorsion_ShowFrames", "Show frames"),
+        QT_TRANSLATE_NOOP(
+            "BendTorsion_ShowFrames",
+            "Show where the height of the section points along the selected axes, or hide it",
+        ),
+        "B, R",
+        show_frames,
+        ("Axis", "Member", "PlateSet"),
+    ),
+    Command(
+        "ShowMarks",
+        QT_TRANSLATE_NOOP("BendTorsion_ShowMarks", "Show marks"),
+        QT_TRANSLATE_NOOP(
+            "BendTorsion_ShowMarks", "Show the position mark of each plate, or hide it"
+        ),
+        "B, 1",
+        show_marks,
+        ("Member", "PlateSet"),
+    ),
+    Command(
+        "ShowPoints",
+        QT_TRANSLATE_NOOP("BendTorsion_ShowPoints", "Show points"),
+        QT_TRANSLATE_NOOP(
+            "BendTorsion_ShowPoints", "Show station lines with their L and P labels, or hide them"
+        ),
+        "B, 2",
+        show_points,
+        ("Member", "PlateSet"),
+    ),
+    Command(
+        "ColourBy",
+        QT_TRANSLATE_NOOP("BendTorsion_ColourBy", "Colour by"),
+        QT_TRANSLATE_NOOP(
+            "BendTorsion_ColourBy",
+            "Colour plates by strain, length error, forming class or thickness, with a legend",
+        ),
+        "B, Z",
+        colour_by,
+        ("Member", "PlateSet"),
+    ),
+)

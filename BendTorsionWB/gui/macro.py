@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One undo step of lines that run as FreeCAD records them: the macro is what was done."""
+
+from __future__ import annotations
+
+import sys
+from contextlib import contextmanager
+
+import FreeCAD
+import FreeCADGui
+
+from BendTorsionWB.core.finding import BendTorsionError
+
+
+def literal(value) -> str:
+    """A value as the text of a macro line; document objects by their names in `document`."""
+    if isinstance(value, FreeCAD.Document):
+        return "document"
+    if hasattr(value, "TypeId") and hasattr(value, "Document"):
+        return f"document.getObject({value.Name!r})"
+    if isinstance(value, FreeCAD.Vector):
+        return f"FreeCAD.Vector({value.x!r}, {value.y!r}, {value.z!r})"
+    if isinstance(value, FreeCAD.Units.Quantity):
+        return repr(value.Value)
+    if isinstance(value, list):
+        return f"[{', '.join(map(literal, value))}]"
+    if isinstance(value, tuple):
+        return f"({', '.join(map(literal, value))}{',' if len(value) == 1 else ''})"
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{literal(k)}: {literal(v)}" for k, v in value.items()) + "}"
+    return repr(value)
+
+
+def begin(document) -> None:
+    """Record what the lines to come need: the modules, and the document they work on."""
+    FreeCADGui.doCommand("import FreeCAD")
+    FreeCADGui.doCommand("from BendTorsionWB import make")
+    active = document is FreeCAD.ActiveDocument
+    found = "FreeCAD.ActiveDocument" if active else f"FreeCAD.getDocument({document.Name!r})"
+    FreeCADGui.doCommand(f"document = {found}")
+
+
+def make(function: str, *arguments, **named):
+    """Run `make.function(…)` as a recorded line; what it returns. Raises what it raises."""
+    given = [literal(item) for item in arguments]
+    # Here, not above: the workbench opens at once, and scipy is loaded with the first object.
+    from BendTorsionWB.gui.preferences import with_preferences
+
+    named = with_preferences(function, named)
+    given += [f"{key}={literal(item)}" for key, item in named.items()]
+    FreeCADGui.doCommand(f"made = make.{function}({', '.join(given)})")
+    return sys.modules["__main__"].made
+
+
+def put(obj, name: str, value) -> None:
+    """Set a property as a recorded line."""
+    FreeCADGui.doCommand(f"{literal(obj)}.{name} = {literal(value)}")
+
+
+def recompute() -> None:
+    """Recompute the document as a recorded line."""
+    FreeCADGui.doCommand("document.recompute()")
+
+
+@contextmanager
+def undo_step(document, name: str):
+    """Everything inside is one undo step; an exception takes all of it back."""
+    document.openTransaction(name)
+    try:
+        begin(document)
+        yield
+    except BaseException:
+        document.abortTransaction()
+        raise
+    document.commitTransaction()
+
+
+def raise_errors(objects) -> None:
+    """Raise BendTorsionError with the errors of these objects' last recompute."""
+    from BendTorsionWB.objects.proxy import findings_of
+
+    ours = (item for item in objects if hasattr(item, "BT_Type"))
+    found = (finding for item in ours for finding in findings_of(item))
+    # Objects downstream repeat the error of the one at fault.
+    errors = tuple(dict.fromkeys(finding for finding in found if finding.severity == "error"))
+    if errors:
+        raise BendTorsionError(errors)

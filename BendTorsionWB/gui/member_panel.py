@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel of a member: its axis and offsets, its segments with cuts and transitions."""
+
+from __future__ import annotations
+
+import FreeCAD
+import FreeCADGui
+
+from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.gui.alignment_picker import AlignmentPicker
+from BendTorsionWB.gui.preview import Preview
+from BendTorsionWB.gui.property_form import PropertyForm
+from BendTorsionWB.gui.qt import QtCore, QtWidgets
+from BendTorsionWB.gui.task_panel import TaskPanel
+
+translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+MEMBER_ROWS = (
+    ("Axis", QT_TRANSLATE_NOOP("BendTorsion", "Axis")),
+    ("OffsetY", QT_TRANSLATE_NOOP("BendTorsion", "Offset along the breadth")),
+    ("OffsetZ", QT_TRANSLATE_NOOP("BendTorsion", "Offset along the height")),
+    ("Roll", QT_TRANSLATE_NOOP("BendTorsion", "Roll")),
+    ("StartCut", QT_TRANSLATE_NOOP("BendTorsion", "Cut of the start")),
+    ("EndCut", QT_TRANSLATE_NOOP("BendTorsion", "Cut of the end")),
+)
+SEGMENT_ROWS = (
+    ("Section", QT_TRANSLATE_NOOP("BendTorsion", "Section")),
+    ("Cut", QT_TRANSLATE_NOOP("BendTorsion", "Cut")),
+    ("Slope", QT_TRANSLATE_NOOP("BendTorsion", "Slope 1 :")),
+    ("Transition", QT_TRANSLATE_NOOP("BendTorsion", "Transition")),
+    ("AlignTo", QT_TRANSLATE_NOOP("BendTorsion", "Align to")),
+    ("OffsetY", QT_TRANSLATE_NOOP("BendTorsion", "Offset along the breadth")),
+    ("OffsetZ", QT_TRANSLATE_NOOP("BendTorsion", "Offset along the height")),
+)
+OF_A_CUT = ("Cut", "Slope", "Transition")
+STEPS = 1000
+
+
+class MemberPanel(TaskPanel):
+    """Edits one member; `segment` is the number of the segment shown."""
+
+    def __init__(self, preview: Preview, segment: int = 1):
+        super().__init__(preview, translate("BendTorsion", "Member"), "BendTorsion_Member")
+        self.member = preview.objects[0]
+        rows = [(name, translate("BendTorsion", label)) for name, label in MEMBER_ROWS]
+        self.fields = PropertyForm([self.member], rows, self.changed, {"Axis": "Axis"})
+        self.add_form(self.fields)
+        self.segments = QtWidgets.QComboBox()
+        self.segments.setObjectName("segments")
+        self.segments.currentIndexChanged.connect(lambda _: self._show_segment())
+        self.add = QtWidgets.QPushButton(translate("BendTorsion", "Add cut"))
+        self.remove = QtWidgets.QPushButton(translate("BendTorsion", "Remove"))
+        self.add.clicked.connect(self._add)
+        self.remove.clicked.connect(self._remove)
+        line = QtWidgets.QHBoxLayout()
+        line.addWidget(self.segments, 1)
+        for button in (self.add, self.remove):
+            line.addWidget(button)
+        self.body.addLayout(line)
+        self.box = QtWidgets.QGroupBox()
+        self.inner = QtWidgets.QVBoxLayout(self.box)
+        self.body.addWidget(self.box)
+        self.transition = QtWidgets.QLabel()
+        self.segment_fields = None
+        self.picking = None
+        self._list(segment)
+
+    @property
+    def segment(self) -> int:
+        """Number of the segment shown."""
+        return self.segments.currentIndex() + 1
+
+    def show_findings(self) -> None:
+        """With the length of the transition before the segment."""
+        super().show_findings()
+        marks = [line for line in self.member.Zones if line.startswith(f"b-{self.segment - 1} ")]
+        text = ""
+        if marks and self.segment > 1:
+            start, end = map(float, marks[0].split()[1:3])
+            text = translate("BendTorsion", "Transition {length:.0f} mm: {start:.0f} to {end:.0f}")
+            text = text.format(length=end - start, start=start, end=end)
+        self.transition.setText(text)
+
+    def property_of(self, record: dict) -> str:
+        """Findings about a cut name its segment."""
+        if record["position"].startswith("segment ") and record["message"].startswith("cut "):
+            return f"Cut{record['position'].split()[1].rstrip(',')}"
+        return super().property_of(record)
+
+    def _list(self, segment: int) -> None:
+        self.segments.blockSignals(True)
+        self.segments.clear()
+        for k in range(1, self.member.Segments + 1):
+            section = getattr(self.member, f"Section{k}")
+            label = translate("BendTorsion", "Segment {number}: {section}")
+            self.segments.addItem(label.format(number=k, section=section.Label if section else "-"))
+        self.segments.setCurrentIndex(segment - 1)
+        self.segments.blockSignals(False)
+        self.remove.setEnabled(self.member.Segments > 1)
+        self._show_segment()
+
+    def _show_segment(self) -> None:
+        """Build the fields of the segment chosen."""
+        if self.segment_fields is not None:
+            self.forms.remove(self.segment_fields)
+        while self.inner.count():
+            item = self.inner.takeAt(0).widget()
+            if item is not self.transition:
+                item.hide()
+                item.deleteLater()
+        k = self.segment
+        closed = self.member.Axis is not None and self.member.Axis.Closed
+        rows = [
+            (f"{name}{k}", translate("BendTorsion", label))
+            for name, label in SEGMENT_ROWS
+            if k > 1 or closed or name not in OF_A_CUT
+        ]
+        self.segment_fields = PropertyForm(
+            [self.member], rows, self.changed, {f"Section{k}": "SectionSpec"}
+        )
+        self.forms.append(self.segment_fields)
+        self.box.setTitle(translate("BendTorsion", "Segment {number}").format(number=k))
+        picker = AlignmentPicker(getattr(self.member, f"Align{k}"))
+        picker.chosen.connect(self._align)
+        self.picker = picker
+        self.inner.addWidget(self.segment_fields)
+        self.inner.addWidget(self.transition)
+        if k > 1 or closed:
+            self.slider = QtWidgets.QSlider(QtCore.Qt.Horizontal)
+            self.slider.setRange(1, STEPS - 1)
+            self.slider.setToolTip(translate("BendTorsion", "Drag the cut along the axis"))
+            length = self.member.Axis.Length.Value if self.member.Axis else 0.0
+            cut = getattr(self.member, f"Cut{k}").Value
+            self.slider.setValue(int(STEPS * cut / length) if length else 1)
+            self.slider.valueChanged.connect(self._slide)
+            self.inner.addWidget(self.slider)
+            self.pick = QtWidgets.QPushButton(translate("BendTorsion", "Pick the cut in 3D"))
+            self.pick.setCheckable(True)
+            self.pick.toggled.connect(self._pick)
+            self.inner.addWidget(self.pick)
+        self.inner.addWidget(picker)
+        self.show_findings()
+
+    def _align(self, value: str) -> None:
+        setattr(self.member, f"Align{self.segment}", value)
+        self.changed()
+
+    def _slide(self, step: int) -> None:
+        self._cut_at(step / STEPS * self.member.Axis.Length.Value)
+
+    def _cut_at(self, place: float) -> None:
+        """Move the cut of the segment shown to a place, mm."""
+        k = self.segment
+        setattr(self.member, f"CutBy{k}", "place")
+        setattr(self.member, f"CutRatio{k}", 0.0)
+        setattr(self.member, f"Cut{k}", round(place, 1))
+        self.segment_fields.read()
+        self.changed()
+
+    def _add(self) -> None:
+        """Divide the segment shown in its middle."""
+        from BendTorsionWB.objects.segment_edit import add_cut
+
+        length = self.member.Axis.Length.Value if self.member.Axis else 0.0
+        cuts = [
+            0.0,
+            *(getattr(self.member, f"Cut{k}").Value for k in range(2, self.member.Segments + 1)),
+        ]
+        ends = [*cuts[1:], length]
+        try:
+            k = self.segment - 1
+            new = add_cut(self.member, round(0.5 * (cuts[k] + ends[k]), 1))
+        except BendTorsionError as problem:
+            self.findings.setText(str(problem))
+            return
+        self._list(new)
+        self.changed()
+
+    def _remove(self) -> None:
+        from BendTorsionWB.objects.segment_edit import remove_segment
+
+        number = self.segment
+        remove_segment(self.member, number)
+        self._list(max(number - 1, 1))
+        self.changed()
+
+    def _pick(self, on: bool) -> None:
+        if self.picking is not None:
+            FreeCADGui.Selection.removeObserver(self.picking)
+            self.picking = None
+        if on:
+            self.picking = _Pick(self)
+            FreeCADGui.Selection.addObserver(self.picking)
+
+    def picked(self, point) -> None:
+        """Put the cut nearest to a point picked in the 3D view."""
+        import numpy as np
+
+        from BendTorsionWB.core.axis_places import cut_place
+        from BendTorsionWB.objects import axis as axis_object
+
+        try:
+            place = cut_place(axis_object.value(self.member.Axis), point=np.array(point, float))
+        except BendTorsionError as problem:
+            self.findings.setText(str(problem))
+            return
+        self._cut_at(place)
+
+    def _end(self, finish) -> None:
+        self._pick(False)
+        super()._end(finish)
+
+
+class _Pick:
+    """Takes the points picked in the 3D view to the panel."""
+
+    def __init__(self, panel: MemberPanel):
+        self.panel = panel
+
+    def addSelection(self, document, obj, sub, point):
+        """Called by FreeCAD for each pick."""
+        if sub and document == self.panel.preview.document.Name:
+            self.panel.picked(point)

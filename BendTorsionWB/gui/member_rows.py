@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The members of a document as rows of text, a row per segment, and texts as edits of them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from BendTorsionWB.core.segment import ALIGN_TO, ALIGNMENTS, TRANSITIONS
+from BendTorsionWB.gui.joint_words import joints_text, parse_joints
+
+COLUMNS = (
+    *("member", "segment", "section", "cut", "slope", "transition", "align", "align_to"),
+    *("offset_y", "offset_z", "top", "bottom", "left", "right"),
+)
+"""As on the sheets Members and Splits of a schedule."""
+FACES = COLUMNS[-4:]
+_CHOICES = {
+    "align": ("Align", ALIGNMENTS),
+    "align_to": ("AlignTo", ALIGN_TO),
+    "transition": ("Transition", TRANSITIONS),
+}
+_LENGTHS = {"offset_y": "OffsetY", "offset_z": "OffsetZ"}
+
+
+@dataclass(frozen=True)
+class Row:
+    """One segment of a member; plates: the PlateSet of the member, on segment 1."""
+
+    member: object
+    segment: int
+    plates: object | None
+
+    def text(self, column: str) -> str:
+        """The cell of a column."""
+        member, k = self.member, self.segment
+        if column == "member":
+            return member.Label
+        if column == "segment":
+            return str(k)
+        if column == "section":
+            section = getattr(member, f"Section{k}")
+            return section.Label if section is not None else ""
+        if column == "cut":
+            return self._cut()
+        if column == "slope":
+            return _number_text(getattr(member, f"Slope{k}")) if self._has_cut() else ""
+        if column in _CHOICES:
+            if column == "transition" and not self._has_cut():
+                return ""
+            return getattr(member, f"{_CHOICES[column][0]}{k}")
+        if column in _LENGTHS:
+            return _number_text(getattr(member, f"{_LENGTHS[column]}{k}").Value)
+        return joints_text(self.plates, column) if self.plates is not None else ""
+
+    def is_locked(self, column: str) -> bool:
+        """Whether the cell has no meaning in this row."""
+        if column in ("member", "segment"):
+            return True
+        if column in ("cut", "slope", "transition"):
+            return not self._has_cut()
+        return column in FACES and self.plates is None
+
+    def edits(self, column: str, text: str) -> list[tuple]:
+        """What a text means, as (object, property, value); raises ValueError with the reason."""
+        k, text = self.segment, text.strip()
+        if column == "section":
+            return [(self.member, f"Section{k}", self._section(text))]
+        if column == "cut":
+            return [(self.member, f"{name}{k}", value) for name, value in _cut_of(text).items()]
+        if column == "slope":
+            slope = _number(text)
+            if slope < 0.0:
+                raise ValueError("a slope is 0 or more")
+            return [(self.member, f"Slope{k}", slope)]
+        if column in _CHOICES:
+            name, choices = _CHOICES[column]
+            if text not in choices:
+                raise ValueError(f"{text!r} is none of {', '.join(choices)}")
+            return [(self.member, f"{name}{k}", text)]
+        if column in _LENGTHS:
+            return [(self.member, f"{_LENGTHS[column]}{k}", _number(text or "0"))]
+        values = parse_joints(text)
+        auto = [face for face in self.plates.AutoJoints if face != column]
+        return [
+            (self.plates, "AutoJoints", [*auto, column] if values == "auto" else auto),
+            (self.plates, f"Joints{column.capitalize()}", [] if values == "auto" else values),
+        ]
+
+    def _has_cut(self) -> bool:
+        axis = self.member.Axis
+        return self.segment > 1 or (axis is not None and axis.Closed)
+
+    def _cut(self) -> str:
+        if not self._has_cut():
+            return ""
+        k = self.segment
+        if getattr(self.member, f"CutBy{k}") != "place":
+            return getattr(self.member, f"CutBy{k}")
+        ratio = getattr(self.member, f"CutRatio{k}")
+        if ratio:
+            return f"{100.0 * ratio:.10g}%"
+        return _number_text(getattr(self.member, f"Cut{k}").Value)
+
+    def _section(self, label: str):
+        for obj in self.member.Document.Objects:
+            if getattr(obj, "BT_Type", "") == "SectionSpec" and obj.Label == label:
+                return obj
+        raise ValueError(f"there is no section {label!r}")
+
+
+def rows_of(document) -> list[Row]:
+    """The rows of all members, in the order of the tree."""
+    rows = []
+    for member in document.Objects if document is not None else ():
+        if getattr(member, "BT_Type", "") != "Member":
+            continue
+        plates = [user for user in member.InList if getattr(user, "BT_Type", "") == "PlateSet"]
+        for k in range(1, member.Segments + 1):
+            rows.append(Row(member, k, plates[0] if plates and k == 1 else None))
+    return rows
+
+
+def edits_of(rows, cells: Mapping[tuple[int, int], str]) -> tuple[list[tuple], dict]:
+    """The edits cells mean, (object, property, value), and the reason of each that means none."""
+    edits, reasons = {}, {}
+    for (r, c), text in cells.items():
+        try:
+            for obj, name, value in rows[r].edits(COLUMNS[c], text):
+                if name == "AutoJoints":
+                    # Several faces of one row: each adds to or takes from what the others left.
+                    value = _joined(edits.get((obj.Name, name)), obj, COLUMNS[c], value)
+                edits[obj.Name, name] = (obj, name, value)
+        except ValueError as problem:
+            reasons[r, c] = str(problem)
+    return list(edits.values()), reasons
+
+
+def _joined(former, obj, face: str, value: list[str]) -> list[str]:
+    if former is None:
+        return value
+    others = [name for name in former[2] if name != face]
+    return [*others, face] if face in value else others
+
+
+def _cut_of(text: str) -> dict[str, object]:
+    if text.endswith("%"):
+        ratio = _number(text[:-1]) / 100.0
+        if not 0.0 < ratio < 1.0:
+            raise ValueError("a cut lies between 0% and 100%")
+        return {"CutBy": "place", "CutRatio": ratio}
+    place = _number(text)
+    if place <= 0.0:
+        raise ValueError("a cut lies behind the start of the axis")
+    return {"CutBy": "place", "CutRatio": 0.0, "Cut": place}
+
+
+def _number(text: str) -> float:
+    try:
+        value = float(text.replace(",", "."))
+    except ValueError as problem:
+        raise ValueError(f"{text!r} is not a number") from problem
+    if not math.isfinite(value):
+        raise ValueError(f"{text!r} is not a number of use")
+    return value
+
+
+def _number_text(value: float) -> str:
+    return f"{value:.10g}"

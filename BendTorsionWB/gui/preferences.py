@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What new objects start with, as the user prefers. Objects that are there are never changed by
+it: the values are written into each object when a command makes it, and into its macro line."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import FreeCAD
+
+from BendTorsionWB.core import tolerances
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+GROUP = "User parameter:BaseApp/Preferences/Mod/BendTorsion"
+
+
+@dataclass(frozen=True)
+class Preference:
+    """A value new objects start with: argument `argument` of `make.function`.
+
+    default: what it is until the user says otherwise, a float being a length in mm; listed: choices of a
+    text that is one of some.
+    """
+
+    name: str
+    label: str
+    default: float | str
+    function: str
+    argument: str
+    listed: tuple[str, ...] | Callable[[], tuple[str, ...]] = ()
+
+    @property
+    def choices(self) -> tuple[str, ...]:
+        """What a text may be; empty for any."""
+        return self.listed() if callable(self.listed) else self.listed
+
+    @property
+    def value(self) -> float | str:
+        """As the user prefers; the default for what is none of the choices or no length."""
+        stored = FreeCAD.ParamGet(GROUP)
+        if isinstance(self.default, float):
+            value = stored.GetFloat(self.name, self.default)
+            return value if value > 0.0 else self.default
+        value = stored.GetString(self.name, self.default)
+        return value if not self.choices or value in self.choices else self.default
+
+    def keep(self, value: float | str) -> None:
+        """Remember what the user prefers."""
+        stored = FreeCAD.ParamGet(GROUP)
+        if isinstance(self.default, float):
+            stored.SetFloat(self.name, value)
+        else:
+            stored.SetString(self.name, value)
+
+
+# Asked for when they are needed: the workbench opens without loading scipy.
+def _rule_packs() -> tuple[str, ...]:
+    from BendTorsionWB.core import rules
+
+    return rules.PACKS
+
+
+def _modes() -> tuple[str, ...]:
+    from BendTorsionWB.core.pattern import MODES
+
+    return MODES
+
+
+SECTIONS = (
+    Preference(
+        "SectionType",
+        QT_TRANSLATE_NOOP("BendTorsion", "Type"),
+        "box1",
+        "make_section",
+        "type",
+        ("box1", "box2"),
+    ),
+    Preference("Height", QT_TRANSLATE_NOOP("BendTorsion", "Height h"), 600.0, "make_section", "h"),
+    Preference(
+        "Breadth", QT_TRANSLATE_NOOP("BendTorsion", "Breadth b"), 600.0, "make_section", "b"
+    ),
+    Preference(
+        "Thickness", QT_TRANSLATE_NOOP("BendTorsion", "Thickness t"), 16.0, "make_section", "t"
+    ),
+)
+OTHERS = (
+    Preference(
+        "AxisTolerance",
+        QT_TRANSLATE_NOOP("BendTorsion", "Axis within, of its surface"),
+        tolerances.AXIS_ON_SURFACE,
+        "make_axis",
+        "tolerance",
+    ),
+    Preference(
+        "StationSpacing",
+        QT_TRANSLATE_NOOP("BendTorsion", "Station spacing"),
+        500.0,
+        "make_plates",
+        "station_spacing",
+    ),
+    Preference(
+        "RulePack",
+        QT_TRANSLATE_NOOP("BendTorsion", "Rule pack"),
+        "CN",
+        "make_plates",
+        "rule_pack",
+        _rule_packs,
+    ),
+    Preference(
+        "FlatteningMode",
+        QT_TRANSLATE_NOOP("BendTorsion", "Laying flat by"),
+        "edges",
+        "make_unfold",
+        "mode",
+        _modes,
+    ),
+    Preference(
+        "Project", QT_TRANSLATE_NOOP("BendTorsion", "Project"), "", "make_sheets", "project"
+    ),
+    Preference("Author", QT_TRANSLATE_NOOP("BendTorsion", "Drawn by"), "", "make_sheets", "author"),
+)
+PREFERENCES = (*SECTIONS, *OTHERS)
+
+
+def preferred(name: str) -> float | str:
+    """The value of one of PREFERENCES."""
+    return next(item for item in PREFERENCES if item.name == name).value
+
+
+def with_preferences(function: str, named: dict) -> dict:
+    """Arguments of `make.function`, completed by what the user prefers and by nothing that is the
+    default anyway. A section that is given any size keeps all of its own."""
+    if function == "make_section" and named:
+        return named
+    own = {
+        item.argument: item.value
+        for item in PREFERENCES
+        if item.function == function
+        and (item in SECTIONS or item.value != item.default)
+        and item.argument not in named
+    }
+    return {**named, **own}

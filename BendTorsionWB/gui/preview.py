@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Edits tried out in an open transaction: taken back, or done again as recorded lines.
+
+Accepting aborts the trial and runs its outcome as a macro in one undo step, so that what is
+recorded is what was done; what the trial computed is kept by `core.memo`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from BendTorsionWB.gui import macro
+
+
+class Preview:
+    """objects: what is edited. create: makes them when they are new: called with a function that
+    makes an object, as `make("make_section", document, "Section")`; returns the objects."""
+
+    def __init__(self, document, name: str, objects: Sequence = (), create: Callable | None = None):
+        self.document, self.name, self.create = document, name, create
+        document.openTransaction(name)
+        try:
+            self.objects = list(create(_make_unrecorded)) if create else list(objects)
+            document.recompute()
+        except BaseException:
+            document.abortTransaction()
+            raise
+        self.before = [_inputs(obj) for obj in self.objects]
+
+    def accept(self) -> None:
+        """One undo step of recorded lines; nothing when nothing was made or changed."""
+        edits = [
+            (k, name, value)
+            for k, obj in enumerate(self.objects)
+            for name, value in _inputs(obj).items()
+            if name not in self.before[k] or not _same(value, self.before[k][name])
+        ]
+        self.cancel()
+        if not edits and not self.create:
+            return
+        with macro.undo_step(self.document, self.name):
+            objects = list(self.create(macro.make)) if self.create else self.objects
+            for k, name, value in edits:
+                macro.put(objects[k], name, value)
+            macro.recompute()
+
+    def cancel(self) -> None:
+        """Take everything back."""
+        self.document.abortTransaction()
+
+
+def _make_unrecorded(function: str, *arguments, **named):
+    from BendTorsionWB import make
+
+    return getattr(make, function)(*arguments, **named)
+
+
+def _inputs(obj) -> dict[str, object]:
+    """Values of the input properties, in the order they are declared."""
+    from BendTorsionWB.objects.proxy import BASE_PROPERTIES
+
+    outputs = {item.name for item in (*obj.Proxy.declared(obj), *BASE_PROPERTIES) if item.output}
+    names = [item.name for item in obj.Proxy.declared(obj) if not item.output]
+    # Faces a section has besides the four of a box have joints of their own.
+    names += [
+        name
+        for name in obj.PropertiesList
+        if name.startswith(("Joints", "Lanes")) and name not in names and name not in outputs
+    ]
+    return {name: getattr(obj, name) for name in dict.fromkeys(names)}
+
+
+def _same(one, other) -> bool:
+    if hasattr(one, "UserString"):
+        return one.Value == other.Value
+    return one == other

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A task panel: fields edited with live preview, what the checks find, OK and Cancel."""
+
+from __future__ import annotations
+
+import json
+
+import FreeCAD
+import FreeCADGui
+
+from BendTorsionWB.gui import resources
+from BendTorsionWB.gui.preview import Preview
+from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
+
+translate = FreeCAD.Qt.translate
+DELAY = 150
+"""Milliseconds after the last key press until the preview is recomputed."""
+COLOURS = {"error": "#c62828", "warning": "#b26a00", "note": "#5f7d95"}
+MOST_SHOWN = 8
+MARGIN = 60
+"""Width of what FreeCAD draws around a task panel."""
+
+
+class TaskPanel:
+    """Base of the task panels: subclasses fill `self.body` with fields and call `changed` after
+    each edit of an object of `preview`."""
+
+    def __init__(self, preview: Preview, title: str, icon: str):
+        self.preview = preview
+        self.form = QtWidgets.QWidget()
+        self.form.setWindowTitle(title)
+        self.form.setWindowIcon(QtGui.QIcon(resources.icon(icon)))
+        self.body = QtWidgets.QVBoxLayout(self.form)
+        self.findings = QtWidgets.QLabel()
+        self.findings.setWordWrap(True)
+        self.findings.setObjectName("findings")
+        self.forms = []
+        self.timer = QtCore.QTimer(self.form)
+        self.timer.setSingleShot(True)
+        self.timer.timeout.connect(self.update)
+        self.closed = False
+
+    def show(self) -> None:
+        """Open it at the side of the window."""
+        self.body.addWidget(self.findings)
+        self.body.addStretch()
+        self.show_findings()
+        self.observer = _Closing(self)
+        FreeCAD.addDocumentObserver(self.observer)
+        FreeCADGui.Control.showDialog(self)
+        self._make_room()
+        first = next((f for form in self.forms for f in form.fields.values()), None)
+        if first is not None:
+            first.setFocus()
+
+    def _make_room(self) -> None:
+        """Widen the side of the window when the fields do not fit."""
+        dock = self.form.parent()
+        while dock is not None and not isinstance(dock, QtWidgets.QDockWidget):
+            dock = dock.parent()
+        wanted = self.form.sizeHint().width() + MARGIN
+        if dock is not None and dock.width() < wanted:
+            FreeCADGui.getMainWindow().resizeDocks([dock], [wanted], QtCore.Qt.Horizontal)
+
+    def add_form(self, form, title: str = "") -> None:
+        """Add a form, in a box of its own when it has a title."""
+        self.forms.append(form)
+        if not title:
+            self.body.addWidget(form)
+            return
+        box = QtWidgets.QGroupBox(title)
+        QtWidgets.QVBoxLayout(box).addWidget(form)
+        self.body.addWidget(box)
+
+    def changed(self) -> None:
+        """Recompute soon; edits that follow at once share one recompute."""
+        if not self.closed:
+            self.timer.start(DELAY)
+
+    def update(self) -> None:
+        """Recompute and show what is found."""
+        self.timer.stop()
+        self.preview.document.recompute()
+        self.show_findings()
+
+    def show_findings(self) -> None:
+        """The findings of what is edited and of all that depends on it, errors first."""
+        found = {}
+        for obj in self.preview.objects:
+            for item in (obj, *obj.InListRecursive):
+                for text in getattr(item, "Findings", ()):
+                    found[text] = json.loads(text)
+        records = sorted(found.values(), key=lambda record: list(COLOURS).index(record["severity"]))
+        lines = [_line(record) for record in records[:MOST_SHOWN]]
+        if len(records) > MOST_SHOWN:
+            more = translate("BendTorsion", "and {count} more").format(
+                count=len(records) - MOST_SHOWN
+            )
+            lines.append(more)
+        self.findings.setText("<br>".join(lines))
+        self._flag(records)
+
+    def property_of(self, record: dict) -> str:
+        """The property a finding is about, when it names one."""
+        return record["position"].removeprefix("property ")
+
+    def _flag(self, records) -> None:
+        """Mark the fields of properties that findings are about."""
+        for form in self.forms:
+            labels = {obj.Label for obj in form.objects}
+            own = [
+                record
+                for record in records
+                if record["severity"] == "error" and record["object"] in labels
+            ]
+            reasons = {
+                self.property_of(record): f"{record['message']}. {record['mend']}"
+                for record in reversed(own)
+            }
+            for name in form.fields:
+                form.flag(name, reasons.get(name, ""))
+
+    def getStandardButtons(self):
+        """OK and Cancel."""
+        return int(QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel)
+
+    def accept(self) -> bool:
+        """Keep the edits, as one undo step."""
+        self._end(self.preview.accept)
+        return True
+
+    def reject(self) -> bool:
+        """Take everything back."""
+        self._end(self.preview.cancel)
+        return True
+
+    def _end(self, finish) -> None:
+        if self.closed:
+            return
+        self.stop()
+        FreeCAD.removeDocumentObserver(self.observer)
+        name = self.preview.document.Name
+        finish()
+        FreeCADGui.Control.closeDialog()
+        FreeCADGui.getDocument(name).resetEdit()
+
+    def stop(self) -> None:
+        """Let no field edit anything from now on."""
+        self.closed = True
+        self.timer.stop()
+        for form in self.forms:
+            form.ended = True
+
+
+class _Closing:
+    """Closes the panel with its document."""
+
+    def __init__(self, panel: TaskPanel):
+        self.panel = panel
+
+    def slotDeletedDocument(self, document):
+        """Called by FreeCAD before a document goes."""
+        panel = self.panel
+        if document == panel.preview.document and not panel.closed:
+            panel.stop()
+            FreeCADGui.Control.closeDialog()
+            QtCore.QTimer.singleShot(0, lambda: FreeCAD.removeDocumentObserver(self))
+
+
+def _line(record: dict) -> str:
+    text = f"{record['object']}: {record['message']}"
+    value, limit = record.get("value"), record.get("limit")
+    if isinstance(value, float) and isinstance(limit, float):
+        text += f" ({value:.5g} / {limit:.5g} {record['unit']})"
+    if record["mend"]:
+        text += f" &rarr; {record['mend']}"
+    return f'<span style="color:{COLOURS[record["severity"]]}">&#9679;</span> {text}'

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tree: what is folded under which object, and the worst finding of an object and its parts."""
+
+from __future__ import annotations
+
+import json
+
+CLAIMED = {
+    "Member": ("PlateSet",),
+    "PlateSet": ("Unfold", "AssemblyBed"),
+    "Unfold": ("SheetSet",),
+}
+"""What the tree shows below an object, of the objects that depend on it."""
+LINKED_ABOVE = {"PlateSet": "Member", "Unfold": "Plates", "AssemblyBed": "Plates"} | {
+    "SheetSet": "Unfold"
+}
+"""The property by which an object names the one it is shown below."""
+ORDER = {"": 0, "note": 0, "warning": 1, "error": 2}
+
+
+def children(obj) -> list:
+    """The objects shown below an object."""
+    kind = getattr(obj, "BT_Type", "")
+    found = []
+    if kind == "Member" and obj.Axis is not None and _only_user(obj.Axis, obj):
+        found.append(obj.Axis)
+    if kind in CLAIMED:
+        found += [user for user in obj.InList if getattr(user, "BT_Type", "") in CLAIMED[kind]]
+    if kind == "SheetSet":
+        found += _pages(obj)
+    return found
+
+
+def parents(obj) -> list:
+    """The objects above, nearest first."""
+    found = []
+    while obj is not None:
+        kind = getattr(obj, "BT_Type", "")
+        if kind == "Axis":
+            users = [user for user in obj.InList if _only_user(obj, user)]
+            obj = users[0] if users else None
+        else:
+            obj = getattr(obj, LINKED_ABOVE[kind], None) if kind in LINKED_ABOVE else None
+        if obj is not None:
+            found.append(obj)
+    return found
+
+
+def worst(obj) -> str:
+    """`error`, `warning` or nothing: the worst finding of an object and of all shown below it."""
+    found = ""
+    for item in (obj, *children(obj)):
+        own = _severity(item) if item is obj else worst(item)
+        if ORDER[own] > ORDER[found]:
+            found = own
+    return found
+
+
+def _severity(obj) -> str:
+    found = {json.loads(text)["severity"] for text in getattr(obj, "Findings", ())}
+    return "error" if "error" in found else "warning" if "warning" in found else ""
+
+
+def _only_user(axis, member) -> bool:
+    """Whether a member is the only one along an axis."""
+    members = {
+        user.Name
+        for user in axis.InList
+        if getattr(user, "BT_Type", "") == "Member" and user.Axis == axis
+    }
+    return members == {member.Name}
+
+
+def _pages(sheet_set) -> list:
+    """The drawing pages of a SheetSet, each with the outlines its view shows."""
+    outlines = [user for user in sheet_set.InList if getattr(user, "BT_Type", "") == "PageOutlines"]
+    pages = [
+        page
+        for item in outlines
+        for view in item.InList
+        if view.isDerivedFrom("TechDraw::DrawViewPart")
+        for page in view.InList
+        if page.isDerivedFrom("TechDraw::DrawPage")
+    ]
+    return [*dict.fromkeys(pages), *outlines]

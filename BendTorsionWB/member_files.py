@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The files each member is written to: sheets and cut files, made by workers if any."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import BrokenExecutor, Executor, Future
+from dataclasses import dataclass
+from pathlib import Path
+
+from BendTorsionWB.core.lofting import MemberRecord
+from BendTorsionWB.core.numbering import shared_marks
+from BendTorsionWB.core.sheet import Sheet
+from BendTorsionWB.core.sheet_layout import member_sheets
+from BendTorsionWB.core.sheet_style import SheetStyle
+from BendTorsionWB.exchange import dxf, nc1, report
+from BendTorsionWB.exchange.result_cache import key_of
+from BendTorsionWB.exchange.template_dxf import template_dxf
+
+
+@dataclass(frozen=True, eq=False)
+class MemberFile:
+    """A file of a member: `write` makes its content from `given`; made_from: key of that input."""
+
+    name: str
+    member: str
+    made_from: str
+    write: Callable
+    given: object
+
+
+def record_key(key: str, record: MemberRecord) -> str:
+    """The key of what is written of a member: besides its own input that shows what the whole
+    project tells, such as marks shared by equal plates. Empty for an empty key."""
+    return key_of(key, shared_marks(record), [finding.line() for finding in record.findings]) if key else ""
+
+
+def member_files(
+    records: Mapping[str, MemberRecord], keys: Mapping[str, str], style: SheetStyle | None
+) -> list[MemberFile]:
+    """The files of these members, sheets first. keys: of what the members come from; style:
+    how the sheets are drawn, None for no sheets."""
+    keys = {name: record_key(keys[name], record) for name, record in records.items()}
+    files = []
+    for name, record in records.items():
+        if style is not None and record.plates:
+            given = (record, style)
+            key = key_of(keys[name], style)
+            files.append(MemberFile(report.sheet_name(name), name, key, sheets_pdf, given))
+    for file_name, write in ((report.dxf_name, dxf.plate_dxf), (report.nc1_name, nc1.plate_nc1)):
+        for name, record in records.items():
+            for plate in record.plates:
+                files.append(MemberFile(file_name(plate.mark), name, keys[name], write, plate))
+    for name, record in records.items():
+        for board in [board for bed in record.beds for board in bed.templates]:
+            file_name = report.template_name(board.name)
+            files.append(MemberFile(file_name, name, keys[name], template_dxf, board))
+    return files
+
+
+def start_all(files: Sequence[MemberFile], executor: Executor | None) -> dict[str, Future | None]:
+    """Have the files made by the executor; without one, each when it is asked for."""
+    if executor is None:
+        return dict.fromkeys(file.name for file in files)
+    return {file.name: executor.submit(file.write, file.given) for file in files}
+
+
+def written(file: MemberFile, started: Future | None) -> bytes:
+    """The content of a file; made here when the worker at it died."""
+    if started is not None:
+        try:
+            return started.result()
+        except BrokenExecutor:
+            return file.write(file.given)
+    return file.write(file.given)
+
+
+def sheets_pdf(given: tuple[MemberRecord, SheetStyle]) -> bytes:
+    """The sheets of a member as PDF. given: its record and how they are drawn."""
+    return pdf_bytes(member_sheets(*given))
+
+
+def pdf_bytes(sheets: Sequence[Sheet]) -> bytes:
+    """The sheets as PDF."""
+    from BendTorsionWB.sheets.pdf import write_pdf
+
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "sheets.pdf"
+        write_pdf(sheets, path)
+        return path.read_bytes()

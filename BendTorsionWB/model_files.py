@@ -1,0 +1,299 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The model as files: a document, a STEP and an IFC file, or these per group of members."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from BendTorsionWB.core.detailing import MemberJob
+from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
+from BendTorsionWB.core.lofting import MemberRecord
+from BendTorsionWB.core.numbering import shared_marks
+from BendTorsionWB.exchange.output_folder import UPDATED, OutputFolder
+from BendTorsionWB.exchange.report import of_member
+from BendTorsionWB.exchange.result_cache import key_of
+from BendTorsionWB.exchange.schedule import Schedule
+from BendTorsionWB.exchange.schedule_content import content_of
+from BendTorsionWB.exchange.timeless import timeless_document
+from BendTorsionWB.exchange.whole_file import whole_file
+from BendTorsionWB.interrupts import to_the_end
+from BendTorsionWB.solid_files import plate_sets, write_ifc, write_step
+
+MODEL, STEP, IFC = "model.FCStd", "model.step", "model.ifc"
+GROUPS = "model"
+"""Folder of the documents of a split model."""
+PLATES_GROUP = "Plates"
+"""Object name of the group in a group's document that the whole model links to."""
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What of a project is written. model: document, STEP and IFC; sheets: drawing sheets, as PDF
+    and in the document; split: members per document of the model, 0 for one document of all; update:
+    documents that are there are brought up to the schedule instead of made anew; svg: sheets as SVG
+    as well."""
+
+    model: bool = True
+    sheets: bool = True
+    split: int = 0
+    update: bool = False
+    svg: bool = False
+
+
+@dataclass(frozen=True)
+class ModelPart:
+    """A document of the model with its members; names are relative to the output folder."""
+
+    name: str
+    members: tuple[str, ...]
+
+    @property
+    def document(self) -> str:
+        """Name of the FreeCAD document."""
+        return f"{self.name}.FCStd"
+
+    @property
+    def step(self) -> str:
+        """Name of the STEP file."""
+        return f"{self.name}.step"
+
+    @property
+    def ifc(self) -> str:
+        """Name of the IFC file."""
+        return f"{self.name}.ifc"
+
+    @property
+    def files(self) -> tuple[str, str, str]:
+        """Names of all its files."""
+        return self.document, self.step, self.ifc
+
+
+def model_parts(members: Sequence[str], split: int = 0) -> list[ModelPart]:
+    """One part for all members, or one per `split` members in their order."""
+    if not split:
+        return [ModelPart("model", tuple(members))]
+    return [
+        ModelPart(f"{GROUPS}/{number:03d}", tuple(members[start : start + split]))
+        for number, start in enumerate(range(0, len(members), split), start=1)
+    ]
+
+
+def checked_recompute(document) -> tuple[Finding, ...]:
+    """Recompute and return the errors of all objects: `recompute` itself never tells. Raises
+    BendTorsionError for objects that depend on each other in a circle: FreeCAD computes none of
+    them, and leaves them up to date by their looks."""
+    circle = _circle(document)
+    if circle:
+        raise BendTorsionError(
+            error(
+                "link-cycle",
+                obj.Label,
+                "depends on itself, in a cycle of " + " -> ".join(other.Label for other in circle),
+                "cut one of these links",
+            )
+            for obj in circle
+        )
+    with to_the_end():
+        document.recompute()
+    from BendTorsionWB.objects.proxy import findings_of
+
+    findings = []
+    for obj in document.Objects:
+        if "Findings" in obj.PropertiesList:
+            findings += [f for f in findings_of(obj) if f.severity == "error"]
+        elif not obj.isValid():
+            findings.append(
+                error("object-invalid", obj.Label, obj.getStatusString(), "see the report view")
+            )
+    return tuple(dict.fromkeys(findings))
+
+
+def _circle(document) -> list:
+    """Objects that depend on each other in a circle, in its order; none when there is no circle."""
+    uses = {
+        obj.Name: {used.Name for used in obj.OutList if used.Document == document}
+        for obj in document.Objects
+    }
+    done: set[str] = set()
+    for first in uses:
+        path, waiting = [], [first]
+        while waiting:
+            name = waiting[-1]
+            if path and path[-1] == name:
+                done.add(path.pop())
+                waiting.pop()
+                continue
+            if name in path:
+                return [document.getObject(other) for other in path[path.index(name) :]]
+            if name in done:
+                waiting.pop()
+                continue
+            path.append(name)
+            waiting += uses[name] - done
+    return []
+
+
+def save(document, path: Path) -> None:
+    """Save a document whole or not at all."""
+    with whole_file(path) as part, to_the_end():
+        document.saveCopy(str(part))
+        if not part.exists():
+            raise OSError("the disk is full, or the folder cannot be written to")
+        timeless_document(part)
+
+
+def group_plates(document) -> None:
+    """Put the document's PlateSets into the group the whole model links to.
+
+    A link group, because FreeCAD 0.20 does not open links to a plain group of another document.
+    """
+    group = document.getObject(PLATES_GROUP)
+    if group is None:
+        group = document.addObject("App::LinkGroup", PLATES_GROUP)
+    group.setLink(plate_sets(document))
+    group.recompute()
+
+
+def write_linked_model(parts: Sequence[ModelPart], path: Path) -> None:
+    """The document that links to the groups of a split model; it holds no shape of its own.
+
+    It is made beside empty documents of the same names, so that no group has to be loaded.
+    """
+    import FreeCAD
+
+    documents = []
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            whole = FreeCAD.newDocument("model", hidden=True)
+            documents.append(whole)
+            whole.saveAs(str(Path(folder) / MODEL))
+            for part in parts:
+                group = FreeCAD.newDocument("part", hidden=True)
+                documents.append(group)
+                target = group.addObject("App::LinkGroup", PLATES_GROUP)
+                place = Path(folder) / part.document
+                place.parent.mkdir(exist_ok=True)
+                group.saveAs(str(place))
+                link = whole.addObject("App::Link", "Members")
+                link.LinkedObject = target
+                link.Label = _span(part.members)
+            whole.recompute()
+            save(whole, path)
+        finally:
+            for document in documents:
+                FreeCAD.closeDocument(document.Name)
+
+
+def _span(members: Sequence[str]) -> str:
+    first, last = members[0], members[-1]
+    return first if first == last else f"{first} to {last}"
+
+
+def write_model(
+    folder: OutputFolder,
+    schedule: Schedule,
+    jobs: Mapping[str, MemberJob],
+    records: Mapping[str, MemberRecord],
+    known: tuple[Finding, ...],
+    wanted: Wanted,
+    document_of: Callable,
+    stage: Callable,
+    progress: Callable,
+) -> tuple[Finding, ...]:
+    """Write the documents, STEP and IFC files that are not there yet; what was found in them.
+
+    records: of the members to be in them; known: findings so far, members in error have no solids
+    in the STEP and IFC files; document_of: makes the document of a part; stage and progress: told
+    where the build is.
+    """
+    findings: tuple[Finding, ...] = ()
+    parts = model_parts(list(records), wanted.split)
+    for done, part in enumerate(parts):
+        progress("model", done, len(parts))
+        in_error = {name for name in part.members if has_error(of_member(name, known))}
+        key = key_of(
+            content_of(schedule, part.members),
+            [jobs[name] for name in part.members],
+            sorted(in_error),
+            wanted.sheets,
+            wanted.split,
+            [shared_marks(records[name]) for name in part.members],
+        )
+        key = f"{UPDATED}{key}" if wanted.update else key
+        if all(folder.has(name, key) for name in part.files):
+            for name in part.files:
+                folder.keep(name)
+            continue
+        findings += _model_part(
+            folder, schedule, jobs, records, part, in_error, key, wanted, document_of, stage
+        )
+    if wanted.split:
+        key = key_of([part.members for part in parts])
+        if folder.has(MODEL, key):
+            folder.keep(MODEL)
+        else:
+            if not wanted.update:
+                folder.save_by_hand(MODEL)
+            write_linked_model(parts, folder.out / MODEL)
+            folder.wrote(MODEL, key)
+    progress("model", len(parts), len(parts))
+    return findings
+
+
+def _model_part(
+    folder: OutputFolder,
+    schedule: Schedule,
+    jobs: Mapping[str, MemberJob],
+    records: Mapping[str, MemberRecord],
+    part: ModelPart,
+    in_error: set[str],
+    key: str,
+    wanted: Wanted,
+    document_of: Callable,
+    stage: Callable,
+) -> tuple[Finding, ...]:
+    import FreeCAD
+
+    out = folder.out
+    with stage("document"):
+        document = document_of(
+            schedule,
+            {name: jobs[name] for name in part.members},
+            wanted.sheets,
+            out / part.document,
+        )
+        try:
+            found = checked_recompute(document)
+            if wanted.split:
+                group_plates(document)
+        except BaseException:
+            FreeCAD.closeDocument(document.Name)
+            raise
+    try:
+        healthy = [
+            name
+            for name in part.members
+            if name not in in_error and not has_error(of_member(name, found))
+        ]
+        with stage("step"):
+            if healthy:
+                write_step(document, healthy, out / part.step)
+                # A model with errors of its own is built again each time, so that they are told.
+                folder.wrote(part.step, "" if has_error(found) else key)
+        with stage("ifc"):
+            if healthy:
+                settings = schedule.settings
+                path = out / part.ifc
+                write_ifc(document, healthy, records, settings.site, settings.project, path)
+                folder.wrote(part.ifc, "" if has_error(found) else key)
+        with stage("save"):
+            if not wanted.update:
+                folder.save_by_hand(part.document)
+            save(document, out / part.document)
+            folder.wrote(part.document, "" if has_error(found) or not healthy else key)
+    finally:
+        FreeCAD.closeDocument(document.Name)
+    return found

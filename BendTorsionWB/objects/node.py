@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Document object Node: where two members meet, and how the one ends on the other."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+from BendTorsionWB.core import detailing, rules
+from BendTorsionWB.core.finding import BendTorsionError, error, has_error
+from BendTorsionWB.core.node_blend import with_blends
+from BendTorsionWB.core.node_input import DIAPHRAGMS, TYPES, NodeInput
+from BendTorsionWB.core.nodes import Node as CoreNode
+from BendTorsionWB.objects import member as member_object
+from BendTorsionWB.objects.proxy import Property, Proxy, linked
+from BendTorsionWB.shapes import node_shape
+
+THROUGH_BY = ("link", "rank")
+
+
+class Node(Proxy):
+    """A node; its shape is the root lines of the branch on the member that runs through."""
+
+    TYPE = "Node"
+    PROPERTIES = (
+        Property("App::PropertyLink", "Through", "Node", "The member that runs through"),
+        Property("App::PropertyLink", "Other", "Node", "The member that ends on it"),
+        Property(
+            "App::PropertyEnumeration",
+            "ThroughBy",
+            "Node",
+            "link: Through runs through; rank: of the two members the one of lower Rank does",
+            "link",
+            THROUGH_BY,
+        ),
+        Property(
+            "App::PropertyString",
+            "Node",
+            "Node",
+            "Name of the node; branches of one node share it",
+        ),
+        Property(
+            "App::PropertyDistance",
+            "Place",
+            "Node",
+            "About where on the member that runs through; matters where the two meet twice",
+            0.0,
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "Type",
+            "Node",
+            "direct: the branch is welded to the outer faces; stub: a stub of it, with a field "
+            "joint at StubLength",
+            "direct",
+            TYPES,
+        ),
+        Property("App::PropertyLength", "Gap", "Node", "Root gap to the outer faces", 3.0),
+        Property(
+            "App::PropertyLength",
+            "StubLength",
+            "Node",
+            "From the node to the field joint behind a stub",
+            0.0,
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "Diaphragms",
+            "Node",
+            "What of the branch goes on inside the member that runs through",
+            "flanges",
+            DIAPHRAGMS,
+        ),
+        Property(
+            "App::PropertyBool",
+            "Blend",
+            "Node",
+            "Make the branch flush with the member that runs through",
+            False,
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "RulePack",
+            "Node",
+            "The rules the node is checked by",
+            "CN",
+            rules.PACKS,
+        ),
+        Property(
+            "App::PropertyString",
+            "Kind",
+            "Result",
+            "crossing, T, Y, K or corner",
+            output=True,
+        ),
+        Property(
+            "App::PropertyDistance",
+            "PlaceThrough",
+            "Result",
+            "Place on the member that runs through",
+            output=True,
+        ),
+        Property(
+            "App::PropertyDistance", "PlaceOther", "Result", "Place on the branch", output=True
+        ),
+        Property(
+            "App::PropertyAngle", "CrossingAngle", "Result", "Angle between the axes", output=True
+        ),
+        Property(
+            "App::PropertyLength",
+            "AxisDistance",
+            "Result",
+            "Distance between the axes",
+            output=True,
+        ),
+        Property(
+            "App::PropertyStringList",
+            "LandsOn",
+            "Result",
+            "Faces each end of the branch lands on",
+            output=True,
+        ),
+    )
+
+    def build(self, obj):
+        found = value(obj)
+        (branch,) = found.branches
+        obj.Kind = found.kind
+        obj.PlaceThrough, obj.PlaceOther = branch.s_through, branch.s
+        obj.CrossingAngle = math.degrees(branch.angle)
+        obj.AxisDistance = branch.distance
+        obj.LandsOn = [" and ".join(side.faces) for side in branch.sides]
+        _, other = members_of(obj)
+        member = with_blends(member_object.value(other).member, branch.blends)
+        obj.Shape = node_shape.root_lines(member, branch)
+        return ()
+
+
+def members_of(obj) -> tuple:
+    """The Member object that runs through, and the one that ends on it."""
+    one, other = linked(obj, "Through", "Member"), linked(obj, "Other", "Member")
+    if obj.ThroughBy == "rank":
+        if one.Rank == other.Rank:
+            raise BendTorsionError(
+                error(
+                    "node-unresolved",
+                    obj.Label,
+                    f"{one.Label} and {other.Label} have the same rank",
+                    "give them different ranks, or set ThroughBy to link",
+                    value=one.Rank,
+                )
+            )
+        # No rank (0) ends on any.
+        if (other.Rank or math.inf) < (one.Rank or math.inf):
+            one, other = other, one
+    return one, other
+
+
+def value(obj, known: dict[str, detailing.MemberGeometry] | None = None) -> CoreNode:
+    """The core node; raises BendTorsionError for what cannot be built. known: geometry of members
+    by object name, completed, so that many nodes ask a member once."""
+    known = {} if known is None else known
+    through, other = members_of(obj)
+    given = NodeInput(
+        through.Label,
+        other.Label,
+        obj.Node,
+        obj.Place.Value,
+        obj.Type,
+        obj.Gap.Value,
+        obj.StubLength.Value,
+        obj.Diaphragms,
+        obj.Blend,
+    )
+    for member in (through, other):
+        if member.Name not in known:
+            known[member.Name] = member_object.value(member)
+    found = detailing.meeting_of(
+        known[through.Name],
+        known[other.Name],
+        given,
+        rules.node_rules(obj.RulePack),
+    )
+    if has_error(found.findings) or not found.nodes:
+        raise BendTorsionError(dict.fromkeys(found.findings))
+    return found.nodes[0]
+
+
+def nodes_of(objects: Iterable) -> tuple[CoreNode, ...]:
+    """The core nodes of Node objects; raises BendTorsionError for one in error or of another
+    kind."""
+    nodes = []
+    known: dict[str, detailing.MemberGeometry] = {}
+    for obj in objects:
+        if getattr(obj, "BT_Type", "") != "Node":
+            raise BendTorsionError(
+                error(
+                    "link-kind",
+                    obj.Label,
+                    "Nodes links to what is no node",
+                    "link to nodes only",
+                    value=getattr(obj, "BT_Type", ""),
+                )
+            )
+        nodes.append(value(obj, known))
+    return tuple(nodes)

@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The properties of a PlateSet that hold diaphragms, openings, marks, pieces and welds: a
+list per column.
+
+All lists of a table are as long as its list of places; one left empty means its default in all
+rows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from BendTorsionWB.core.finding import BendTorsionError, error
+from BendTorsionWB.core.part_tables import PART_COLUMNS, READERS
+from BendTorsionWB.objects.proxy import Property
+
+_NUMBERS = "App::PropertyFloatList"
+_TEXTS = "App::PropertyStringList"
+
+# By table and column: property, its type and its tooltip.
+_LISTS = {
+    ("Diaphragms", "s"): (
+        "DiaphragmPlaces",
+        _TEXTS,
+        "Where: mm from the start, a ratio such as 35%, or start and end for end plates",
+    ),
+    ("Diaphragms", "t"): ("DiaphragmThicknesses", _NUMBERS, "Thickness, mm"),
+    ("Diaphragms", "gap"): (
+        "DiaphragmGaps",
+        _NUMBERS,
+        "Gap to each wall, mm; of end plates to the outer faces, negative for an overhang",
+    ),
+    ("Diaphragms", "snipe"): ("DiaphragmSnipes", _NUMBERS, "Legs of the corners cut off, mm"),
+    ("Diaphragms", "manhole"): (
+        "DiaphragmManholes",
+        _TEXTS,
+        "Manhole: d=400, 400x600, 400x600 r=100; at 50 -100 moves it along breadth and height",
+    ),
+    ("Diaphragms", "closing_face"): (
+        "DiaphragmClosings",
+        _TEXTS,
+        "Face closed last: top slot, top slot 100x24 @ 250, top weld, top weld 10",
+    ),
+    ("Diaphragms", "material"): (
+        "DiaphragmMaterials",
+        _TEXTS,
+        "Name, density kg/m3, E MPa, fy MPa; empty: that of the walls",
+    ),
+    ("Openings", "face"): ("OpeningFaces", _TEXTS, "Face"),
+    ("Openings", "s"): ("OpeningPlaces", _TEXTS, "Where: mm from the start, or a ratio like 35%"),
+    ("Openings", "offset"): (
+        "OpeningOffsets",
+        _NUMBERS,
+        "From the middle of the face towards its second edge, mm",
+    ),
+    ("Openings", "shape"): (
+        "OpeningShapes",
+        _TEXTS,
+        "d=120, 200x100, 200x100 r=20 or slot 120x40; the first size along the member",
+    ),
+    ("Openings", "rotation"): (
+        "OpeningRotations",
+        _NUMBERS,
+        "Turns the shape from the member's direction towards the second edge, degrees",
+    ),
+    ("Marks", "face"): ("MarkFaces", _TEXTS, "Face"),
+    ("Marks", "s"): ("MarkPlaces", _TEXTS, "Where: mm from the start, or a ratio such as 35%"),
+    ("Marks", "offset"): (
+        "MarkOffsets",
+        _NUMBERS,
+        "From the middle of the face towards its second edge, mm",
+    ),
+    ("Marks", "text"): ("MarkTexts", _TEXTS, "punch, line 200, line 200 90deg, or a text"),
+    ("Pieces", "piece"): ("PieceNumbers", _NUMBERS, "Number of each delivery piece, along +s"),
+    ("Pieces", "from"): (
+        "PieceStarts",
+        _TEXTS,
+        "Where it starts: mm or a ratio such as 35%; empty: where the one before ends",
+    ),
+    ("Pieces", "to"): (
+        "PieceEnds",
+        _TEXTS,
+        "Where it ends; empty: where the next starts, or the member ends",
+    ),
+    ("Pieces", "start_end"): (
+        "PieceStartForms",
+        _TEXTS,
+        "square, or stepped top=80 bottom=-80; empty: as the one before ends",
+    ),
+    ("Pieces", "end_end"): (
+        "PieceEndForms",
+        _TEXTS,
+        "square, or stepped top=80 bottom=-80; empty: as the next starts",
+    ),
+    ("Pieces", "green_start"): ("PieceGreenStarts", _NUMBERS, "Green length at its start, mm"),
+    ("Pieces", "green_end"): ("PieceGreenEnds", _NUMBERS, "Green length at its end, mm"),
+    ("Pieces", "gap"): ("PieceGaps", _NUMBERS, "Field gap to the next piece, mm"),
+    ("Edges", "seam"): (
+        "EdgeSeams",
+        _TEXTS,
+        "Weld: a seam such as TL, a joint such as T1/T2, or joints for all joints",
+    ),
+    ("Edges", "from"): (
+        "EdgeStarts",
+        _TEXTS,
+        "Where it starts: mm or a ratio such as 35%; empty: at the start of the member",
+    ),
+    ("Edges", "to"): ("EdgeEnds", _TEXTS, "Where it ends; empty: at the end of the member"),
+    ("Edges", "prep"): (
+        "EdgePreps",
+        _TEXTS,
+        "bevel angle=40 land=6 gap=2 inner backing=30x6; types square, bevel, v, double-bevel, "
+        "double-v, fillet; empty: that of the rule pack",
+    ),
+    ("Edges", "place"): ("EdgePlaces", _TEXTS, "shop or field; empty: field where pieces meet"),
+    ("Edges", "ndt"): ("EdgeTests", _TEXTS, "Non-destructive test; empty: the rule pack's"),
+}
+
+PROPERTIES = tuple(
+    Property(kind, name, table, tooltip) for (table, _), (name, kind, tooltip) in _LISTS.items()
+)
+
+
+def given_parts(obj) -> dict[str, tuple]:
+    """Diaphragms, openings, marks and pieces of a PlateSet, by the names of PlatesInput's fields.
+
+    Raises BendTorsionError for lists of different lengths and words that mean nothing."""
+    return {table.lower(): _read(obj, table) for table in PART_COLUMNS}
+
+
+def set_parts(obj, table: str, rows: Sequence[Mapping[str, object]]) -> None:
+    """Write rows (column -> value) of a table, Diaphragms … Pieces, into a PlateSet's lists."""
+    for column in PART_COLUMNS[table]:
+        name, kind, _ = _LISTS[table, column]
+        values = [row.get(column) for row in rows]
+        if all(value in (None, "", 0.0) for value in values):
+            values = []
+        elif kind == _NUMBERS:
+            values = [float(value or 0.0) for value in values]
+        else:
+            values = ["" if value is None else str(value) for value in values]
+        setattr(obj, name, values)
+
+
+def rows_of(obj, table: str) -> list[dict[str, object]]:
+    """The rows of a table as `set_parts` takes them; what is at its default is left out."""
+    lists = {column: list(getattr(obj, _LISTS[table, column][0])) for column in PART_COLUMNS[table]}
+    return [
+        {column: values[k] for column, values in lists.items() if values and values[k] != ""}
+        for k in range(max(map(len, lists.values())))
+    ]
+
+
+def column_tips(table: str) -> list[str]:
+    """What each column of a table means."""
+    return [_LISTS[table, column][2] for column in PART_COLUMNS[table]]
+
+
+def number_columns(table: str) -> list[str]:
+    """The columns of a table that hold numbers."""
+    return [column for column in PART_COLUMNS[table] if _LISTS[table, column][1] == _NUMBERS]
+
+
+def _read(obj, table: str) -> tuple:
+    lists = {
+        column: (name, list(getattr(obj, name)))
+        for column in PART_COLUMNS[table]
+        for name in [_LISTS[table, column][0]]
+    }
+    # Every row has a place, or a number.
+    key = "s" if "s" in lists else PART_COLUMNS[table][0]
+    count = len(lists[key][1])
+    for name, values in lists.values():
+        if len(values) not in (0, count):
+            raise BendTorsionError(
+                error(
+                    "list-length",
+                    obj.Label,
+                    f"{name} and {lists[key][0]} have different lengths",
+                    "give every row a value, or leave the list empty for the default",
+                    position=f"property {name}",
+                    value=len(values),
+                    limit=count,
+                )
+            )
+    rows = []
+    for k in range(count):
+        row = {column: values[k] if values else "" for column, (_, values) in lists.items()}
+        try:
+            rows.append(READERS[table](row))
+        except BendTorsionError as problem:
+            raise BendTorsionError(
+                error(
+                    f.code,
+                    obj.Label,
+                    f"{table}, row {k + 1}: {f.message}",
+                    f.mend,
+                    value=f.value,
+                )
+                for f in problem.findings
+            ) from problem
+    return tuple(rows)

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD's real window on a virtual screen, with a user profile of its own, driven by a script."""
+
+import json
+import os
+import signal
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+TIME_LIMIT = 120
+
+# The start page is a web view and slow to load; Part is there on every machine.
+SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
+<FCParameters>
+ <FCParamGroup Name="Root">
+  <FCParamGroup Name="BaseApp">
+   <FCParamGroup Name="Preferences">
+    <FCParamGroup Name="General">
+     <FCText Name="AutoloadModule">PartWorkbench</FCText>
+     <FCText Name="Language">{language}</FCText>
+    </FCParamGroup>
+    <FCParamGroup Name="MainWindow">
+     <FCText Name="StyleSheet">{style}</FCText>
+     <FCText Name="Theme">{style}</FCText>
+    </FCParamGroup>
+    <FCParamGroup Name="View">
+     <FCBool Name="Gradient" Value="{gradient}"/>
+     <FCBool Name="Simple" Value="{simple}"/>
+     <FCUInt Name="BackgroundColor" Value="{background}"/>
+    </FCParamGroup>
+   </FCParamGroup>
+  </FCParamGroup>
+ </FCParamGroup>
+</FCParameters>
+"""
+LIGHT = {"style": "", "gradient": 1, "simple": 0, "background": 0}
+DARK = {"style": "Behave-dark.qss", "gradient": 0, "simple": 1, "background": 0x21252BFF}
+
+
+def run_in_window(script: Path, folder: Path, look=None, language="English", **environment) -> dict:
+    """Run a script of tests/window inside FreeCAD's window; the JSON it wrote.
+
+    folder: home of the run, made when missing; what is in `environment` the script reads as
+    BENDTORSION_WINDOW_<NAME>. The script gets BENDTORSION_WINDOW_RESULT, the file to write. look:
+    LIGHT or DARK.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    folder.chmod(0o700)
+    result = folder / "result.json"
+    everything = {
+        **os.environ,
+        "HOME": str(folder),
+        "XDG_DATA_HOME": str(folder / "share"),
+        "XDG_CONFIG_HOME": str(folder / "config"),
+        "XDG_RUNTIME_DIR": str(folder),
+        "FREECAD_USER_HOME": str(folder / "freecad"),
+        "QTWEBENGINE_DISABLE_SANDBOX": "1",
+        "PYTHONPATH": "",
+        "BENDTORSION_WINDOW_RESULT": str(result),
+        **{f"BENDTORSION_WINDOW_{name.upper()}": str(given) for name, given in environment.items()},
+    }
+    everything.pop("QT_QPA_PLATFORM", None)
+    subprocess.run(["make", "-s", "install"], cwd=ROOT, env=everything, check=True)
+    settings = SETTINGS.format(language=language, **(look or LIGHT))
+    (folder / "freecad" / "user.cfg").write_text(settings, encoding="utf-8")
+    command = ["xvfb-run", "-a", "-s", "-screen 0 1920x1200x24", "freecad", str(script)]
+    with open(folder / "log.txt", "w+", encoding="utf-8", errors="replace") as log:
+        process = subprocess.Popen(
+            command,
+            env=everything,
+            cwd=folder,
+            stdin=subprocess.DEVNULL,
+            stdout=log,
+            stderr=subprocess.STDOUT,
+            start_new_session=True,
+        )
+        try:
+            process.wait(timeout=TIME_LIMIT)
+        except subprocess.TimeoutExpired:
+            pass
+        finally:
+            _end(process)
+        log.seek(0)
+        assert result.exists(), f"FreeCAD wrote no result:\n{log.read()[-4000:]}"
+    return json.loads(result.read_text(encoding="utf-8"))
+
+
+def _end(process):
+    """End the whole process group: xvfb-run, its screen and FreeCAD."""
+    for sign in (signal.SIGTERM, signal.SIGKILL):
+        try:
+            os.killpg(process.pid, sign)
+            process.wait(timeout=5)
+        except ProcessLookupError:
+            return
+        except subprocess.TimeoutExpired:
+            continue

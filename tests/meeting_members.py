@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Members that meet, for tests: straight ones on a plane, and twisted ones on an ellipsoid."""
+
+import numpy as np
+from curved_members import ELLIPSOID, HALF_AXES, diagonal, member
+
+from BendTorsionWB.core.axis import fit_axis
+from BendTorsionWB.core.frames import FrameInput, frames_of
+from BendTorsionWB.core.member import Member
+from BendTorsionWB.core.section import box
+from BendTorsionWB.core.surface import analytic_surface
+from BendTorsionWB.core.zones import Segment, section_law
+
+PLANE = analytic_surface("plane", {})
+
+
+def straight(name, start, end, section=None, segments=None, **law):
+    """A member along a straight line, z upwards."""
+    axis = fit_axis(f"A-{name}", np.array([start, end], float), None, fit="keep")
+    frames = frames_of(axis, None, FrameInput("fixed"))
+    segments = segments or [Segment(section or box("B", "box1", 600, 400, 16))]
+    return Member(name, frames, section_law(name, segments, axis.length, **law))
+
+
+def along_x(name="X", y=0.0, z=0.0, length=12000.0, **given):
+    """A straight member along x, its middle at x = 0."""
+    return straight(name, (-length / 2, y, z), (length / 2, y, z), **given)
+
+
+def at_angle(degrees, name="Y", back=6000.0, ahead=6000.0, x=0.0, z=0.0, **given):
+    """A straight member through (x, 0, z) at an angle to the x axis."""
+    way = np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees)), 0.0])
+    middle = np.array([x, 0.0, z])
+    return straight(name, middle - back * way, middle + ahead * way, **given)
+
+
+def counter(t):
+    """(n, 3): a curve on the ellipsoid that crosses the diagonal in its middle."""
+    u, v = 0.55 + 0.3 * np.asarray(t), 0.75 - 0.55 * np.asarray(t)
+    unit = np.column_stack([np.cos(v) * np.cos(u), np.cos(v) * np.sin(u), np.sin(v)])
+    return unit * HALF_AXES
+
+
+def twisted_pair(first=None, second=None):
+    """Two twisted members on the ellipsoid that cross, M1 and M2."""
+    first = first or [Segment(box("B800", "box1", 800, 800, 20))]
+    second = second or [Segment(box("B780", "box1", 800, 600, 16))]
+    return {
+        "M1": member(first, curve=diagonal, name="M1"),
+        "M2": member(second, curve=counter, name="M2"),
+    }
+
+
+__all__ = ["ELLIPSOID", "PLANE", "along_x", "at_angle", "counter", "straight", "twisted_pair"]

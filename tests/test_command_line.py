@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The commands on documents: export, report, writing back; and what is refused in one line."""
+
+import json
+import shutil
+
+import FreeCAD
+import openpyxl
+import Part
+import pytest
+from test_build import APART, schedule
+
+from BendTorsionWB import project
+from BendTorsionWB.__main__ import main
+from BendTorsionWB.document import build_document
+from BendTorsionWB.exchange.schedule import read_schedule
+from BendTorsionWB.project import Wanted
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory):
+    """A schedule, its build, and its document as saved."""
+    folder = tmp_path_factory.mktemp("line")
+    path = schedule(folder / "two.xlsx", APART)
+    project.build(path, folder / "out", workers=1, wanted=Wanted(sheets=False))
+    return path, folder / "out"
+
+
+def report(out):
+    return json.loads((out / "report.json").read_text())
+
+
+@pytest.mark.slow
+def test_export_writes_the_files_of_the_document_as_it_is(built, tmp_path, capsys):
+    _, out = built
+    flags = ["--no-sheets", "--jobs", "1"]
+    same = tmp_path / "same"
+    assert main(["export", str(out / "model.FCStd"), "--out", str(same), *flags]) == 0
+    for name in sorted(p.relative_to(out) for p in out.glob("plates/*.dxf")):
+        assert (same / name).read_bytes() == (out / name).read_bytes()
+    assert report(same)["members"] == report(out)["members"]
+    assert (same / "model.step").exists() and not (same / "model.FCStd").exists()
+    # An edit by hand is what is exported; no schedule has a say.
+    document = FreeCAD.openDocument(str(out / "model.FCStd"), hidden=True)
+    section = next(o for o in document.Objects if o.Label == "B500")
+    section.Height = 520
+    document.saveCopy(str(tmp_path / "edited.FCStd"))
+    section.Height = 20
+    document.saveCopy(str(tmp_path / "broken.FCStd"))
+    FreeCAD.closeDocument(document.Name)
+    edited = tmp_path / "edited"
+    assert main(["export", str(tmp_path / "edited.FCStd"), "--out", str(edited), *flags]) == 0
+    masses = [[m["mass_kg"] for m in report(o)["members"]] for o in (out, edited)]
+    assert masses[1][0] > masses[0][0] and masses[1][1] == masses[0][1]
+    capsys.readouterr()
+    broken = tmp_path / "broken"
+    assert main(["export", str(tmp_path / "broken.FCStd"), "--out", str(broken), *flags]) == 1
+    assert "B500" in capsys.readouterr().err
+    assert [bool(m["plates"]) for m in report(broken)["members"]] == [False, True]
+    assert not list(broken.glob("*/M1*")) and list(broken.glob("plates/M2*"))
+
+
+def test_a_second_export_leaves_the_cut_files_as_they_are(built, tmp_path):
+    _, out = built
+    for _ in range(2):
+        arguments = ["export", out / "model.FCStd", "--out", tmp_path / "x", "--no-sheets"]
+        assert main([str(a) for a in [*arguments, "--jobs", 1, "--only", "M2"]]) == 0
+        when = {p: p.stat().st_mtime_ns for p in (tmp_path / "x").glob("plates/*")}
+    arguments = [str(a) for a in [*arguments, "--jobs", 1, "--only", "M2"]]
+    assert main(arguments) == 0
+    assert {p: p.stat().st_mtime_ns for p in when} == when and when
+
+
+@pytest.mark.slow
+def test_report_of_a_schedule_and_of_its_document_tell_the_same(built, tmp_path, capsys):
+    path, out = built
+    tables = []
+    for source in (path, out / "model.FCStd"):
+        target = tmp_path / f"{source.stem}.json"
+        assert main(["report", str(source), "--jobs", "1", "--report", str(target)]) == 0
+        tables.append(capsys.readouterr().out)
+        assert json.loads(target.read_text())["members"] == report(out)["members"]
+    assert tables[0] == tables[1] and "M1" in tables[0]
+    assert main(["report", str(path), "--only", "M2", "--report", str(tmp_path / "r.xlsx")]) == 0
+    assert openpyxl.load_workbook(tmp_path / "r.xlsx")["Summary"]["A2"].value == "M2"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["back.xlsx", "back.csv"])
+def test_export_to_a_workbook_writes_the_document_back(built, tmp_path, capsys, name):
+    path, out = built
+    assert main(["export", str(out / "model.FCStd"), "--out", str(tmp_path / name)]) == 0
+    assert "0 things" in capsys.readouterr().out
+    target = tmp_path / (name if name.endswith("xlsx") else "back")
+    assert main(["diff", str(path), str(target)]) == 0
+    assert capsys.readouterr().out == "0 changes\n"
+
+
+@pytest.mark.parametrize("command", ["export", "report", "diff", "update", "build", "check"])
+def test_what_is_not_there_is_one_line_and_exit_2(tmp_path, capsys, command):
+    missing = str(tmp_path / "none.FCStd")
+    arguments = {
+        "export": ["export", missing, "--out", str(tmp_path / "out")],
+        "report": ["report", missing],
+        "diff": ["diff", missing, missing],
+        "update": ["update", str(tmp_path / "none.xlsx"), "--out", str(tmp_path / "out")],
+        "build": ["build", str(tmp_path / "none.xlsx"), "--out", str(tmp_path / "out")],
+        "check": ["check", str(tmp_path / "none")],
+    }[command]
+    assert main(arguments) == 2
+    printed = capsys.readouterr()
+    assert printed.out == "" and len(printed.err.splitlines()) == 1 and "none" in printed.err
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_document_that_is_none_or_holds_no_member_is_one_line(tmp_path, capsys):
+    bad = tmp_path / "bad.FCStd"
+    bad.write_bytes(b"PK\x03\x04 not a document")
+    assert main(["report", str(bad)]) == 2
+    empty = FreeCAD.newDocument("empty", hidden=True)
+    empty.saveAs(str(tmp_path / "empty.FCStd"))
+    FreeCAD.closeDocument(empty.Name)
+    assert main(["report", str(tmp_path / "empty.FCStd")]) == 2
+    lines = capsys.readouterr().err.splitlines()
+    assert len(lines) == 2 and all(line.startswith("error") for line in lines)
+
+
+def test_two_members_of_one_name_in_a_document_and_in_a_schedule(tmp_path, capsys):
+    path = schedule(tmp_path / "two.xlsx", APART)
+    book = openpyxl.load_workbook(path)
+    book["Members"]["A4"] = "M1"
+    book.save(path)
+    assert main(["check", str(path)]) == 2
+    assert "segment 1 of M1 is already in row 2" in capsys.readouterr().err
+
+
+def test_a_cycle_of_links_is_named_and_nothing_stale_is_exported(tmp_path, capsys):
+    given, jobs = project.read_jobs(schedule(tmp_path / "two.xlsx", APART))
+    document = build_document(given, jobs, sheets=False)
+    axis = next(o for o in document.Objects if o.Label == "A1")
+    member = next(o for o in document.Objects if o.Label == "M1")
+    file = document.addObject("Part::Feature", "Loop")
+    axis.Source = (file, [""])
+    file.Shape = Part.makeLine((0, 0, 0), (1, 0, 0))
+    file.addProperty("App::PropertyLink", "Back")
+    file.Back = member
+    document.saveAs(str(tmp_path / "loop.FCStd"))
+    FreeCAD.closeDocument(document.Name)
+    out = tmp_path / "out"
+    code = main(["export", str(tmp_path / "loop.FCStd"), "--out", str(out), "--no-sheets"])
+    printed = capsys.readouterr().err
+    assert code == 2 and not list(out.glob("*"))
+    assert {line.split(":")[1].strip() for line in printed.splitlines()} >= {"A1", "M1", "Loop"}
+    assert "in a cycle of" in printed
+
+
+@pytest.mark.parametrize("name", ["results.xlsx", "report.json"])
+def test_a_results_file_that_cannot_be_replaced_is_one_line(tmp_path, capsys, name, monkeypatch):
+    """Another program holds it open (as on Windows): the former file stays whole."""
+    import os
+
+    path = schedule(tmp_path / "two.xlsx", APART)
+    out = tmp_path / "out"
+    arguments = ["build", str(path), "--out", str(out), "--jobs", "1", "--no-model", "--no-sheets"]
+    assert main(arguments) == 0
+    before = (out / name).read_bytes()
+    shutil.rmtree(out / ".cache")
+    book = openpyxl.load_workbook(path)
+    book["Sections"]["C3"] = 520
+    book.save(path)
+    real = os.replace
+
+    def locked(source, target):
+        if str(target).endswith(name):
+            raise PermissionError(13, "Permission denied")
+        real(source, target)
+
+    monkeypatch.setattr(os, "replace", locked)
+    capsys.readouterr()
+    assert main(arguments) == 1
+    [line] = [x for x in capsys.readouterr().err.splitlines() if x.startswith("error")]
+    assert name in line and "close the program" in line
+    assert (out / name).read_bytes() == before
+    monkeypatch.undo()
+    assert main(arguments) == 0
+    assert read_schedule(path) and (out / name).read_bytes() != before
+
+
+def test_a_full_disk_is_one_line_and_leaves_whole_files(tmp_path, capsys, monkeypatch):
+    from pathlib import Path
+
+    path = schedule(tmp_path / "two.xlsx", APART)
+    out = tmp_path / "out"
+    real, room = Path.write_bytes, [4]
+
+    def full(self, data):
+        if ".part" in self.name and ".cache" not in self.parts:
+            room[0] -= 1
+            if room[0] < 0:
+                real(self, data[: len(data) // 2])
+                raise OSError(28, "No space left on device")
+        return real(self, data)
+
+    monkeypatch.setattr(Path, "write_bytes", full)
+    arguments = ["build", str(path), "--out", str(out), "--jobs", "1", "--no-model", "--no-sheets"]
+    assert main(arguments) == 1
+    [line] = [x for x in capsys.readouterr().err.splitlines() if x.startswith("error")]
+    assert "No space left" in line and "free space" in line
+    assert not [p for p in out.rglob("*") if ".part" in p.name]
+    assert len(list(out.glob("plates/*"))) == 4
+    monkeypatch.undo()
+    assert main(arguments) == 0
+
+
+@pytest.mark.slow
+def test_a_full_disk_while_the_model_is_saved_leaves_the_former_one(built, tmp_path, monkeypatch):
+    from BendTorsionWB.core.finding import BendTorsionError
+    from BendTorsionWB.model_files import save
+
+    document = FreeCAD.newDocument("full", hidden=True)
+    try:
+        save(document, tmp_path / "model.FCStd")
+        before = (tmp_path / "model.FCStd").read_bytes()
+        monkeypatch.setattr(
+            "BendTorsionWB.model_files.timeless_document",
+            lambda part: (_ for _ in ()).throw(OSError(28, "No space left on device")),
+        )
+        with pytest.raises(BendTorsionError) as problem:
+            save(document, tmp_path / "model.FCStd")
+        assert "No space left" in problem.value.findings[0].message
+        assert (tmp_path / "model.FCStd").read_bytes() == before
+        assert [p.name for p in tmp_path.iterdir()] == ["model.FCStd"]
+    finally:
+        FreeCAD.closeDocument(document.Name)

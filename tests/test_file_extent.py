@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Units and bounding boxes of architects' files: told on import, doubted where hard to believe."""
+
+import sys
+
+import ezdxf
+import FreeCAD
+import numpy as np
+import Part
+import pytest
+from test_surface_files import write_schedule
+
+from BendTorsionWB import project
+from BendTorsionWB.__main__ import main
+from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.exchange.curve_files import dxf_unit
+from BendTorsionWB.exchange.file_extent import extent_findings, unit_of
+from BendTorsionWB.exchange.rhino_files import rhino_axis
+
+POINTS = [["A1", n, 20000.0 * c, 20000.0 * s, 0.0] for n, (c, s) in enumerate(
+    [(1.0, 0.0), (0.8, 0.6), (0.0, 1.0)], start=1)]  # fmt: skip
+
+
+def box(size, at=(0.0, 0.0, 0.0)):
+    return np.array([at, np.add(at, size)])
+
+
+def codes(findings):
+    return [finding.code for finding in findings]
+
+
+def test_a_surface_of_a_building_is_told_and_believed():
+    [told] = extent_findings("roof.step", box((80e3, 60e3, 20e3)), 1.0, 30e3)
+    assert told.severity == "note" and "unit mm" in told.message
+    assert "80.000 x 60.000 x 20.000 m" in told.message
+
+
+@pytest.mark.parametrize(
+    ("size", "beside", "word"),
+    [
+        ((80.0, 60.0, 20.0), 30e3, "1000 times too small"),
+        ((80e6, 60e6, 20e6), 30e3, "1000 times too large"),
+        ((80e3, 60e3, 20e3), 30.0, "1000 times too large"),
+        ((0.08, 0.06, 0.02), None, ""),
+        ((8e6, 6e6, 2e6), None, ""),
+    ],
+)
+def test_sizes_hard_to_believe_are_questioned(size, beside, word):
+    _, doubt = extent_findings("roof.step", box(size), 1.0, beside)
+    assert doubt.severity == "warning" and doubt.code == "file-unit-doubtful"
+    assert "?" in doubt.message and word in doubt.mend
+
+
+def test_a_file_that_should_tell_its_unit_and_does_not_is_questioned():
+    assert codes(extent_findings("a.dxf", box((20e3, 20e3, 0)), None, 30e3, True)) == [
+        "file-read",
+        "file-unit-unknown",
+    ]
+    assert codes(extent_findings("a.brep", box((20e3, 20e3, 0)), None, 30e3)) == ["file-read"]
+
+
+@pytest.mark.parametrize(
+    ("text", "unit"),
+    [
+        ("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));", 1.0),
+        ("( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT($,.METRE.) );", 1000.0),
+        ("(CONVERSION_BASED_UNIT('INCH',#7)LENGTH_UNIT()NAMED_UNIT(#8));", 25.4),
+        ("no unit", None),
+    ],
+)
+def test_the_unit_of_a_step_file(tmp_path, text, unit):
+    path = tmp_path / "roof.step"
+    path.write_text(f"ISO-10303-21;\nDATA;\n#1={text}\nENDSEC;\n")
+    assert unit_of(path) == unit
+
+
+def test_units_of_files_written_by_freecad(tmp_path):
+    sphere = Part.makeSphere(20e3)
+    for name in ("roof.step", "roof.iges"):
+        sphere.exportStep(str(tmp_path / name)) if name.endswith("step") else sphere.exportIges(
+            str(tmp_path / name)
+        )
+        assert unit_of(tmp_path / name) == 1.0
+    sphere.exportBrep(str(tmp_path / "roof.brep"))
+    assert unit_of(tmp_path / "roof.brep") is None
+
+
+def drawing(path, code, scale):
+    document = ezdxf.new(units=code)
+    if not code:
+        del document.header["$INSUNITS"]
+    document.modelspace().add_spline(
+        [(scale * x, scale * y, 0.0) for _, _, x, y, _ in POINTS], dxfattribs={"layer": "A1"}
+    )
+    document.saveas(path)
+
+
+@pytest.mark.parametrize(
+    ("code", "scale", "told", "doubts"),
+    [
+        (4, 1.0, "unit mm", []),
+        (6, 1e-3, "unit m", []),
+        (0, 1.0, "tells no unit", ["file-unit-unknown"]),
+        (4, 1e-3, "unit mm", ["file-unit-doubtful"]),
+        (6, 1.0, "unit m", ["file-unit-doubtful"]),
+    ],
+)
+def test_the_unit_of_a_drawing_is_told_on_import(tmp_path, code, scale, told, doubts):
+    drawing(tmp_path / "axes.dxf", code, scale)
+    assert dxf_unit(tmp_path / "axes.dxf") == {4: 1.0, 6: 1000.0, 0: None}[code]
+    path = write_schedule(
+        tmp_path / "hall.xlsx",
+        [["Hall", "sphere", None, "r=20000"]],
+        [["A1", "Hall", None, "axes.dxf#A1", None, None, None]],
+        [["M1", "A1"]],
+    )
+    _, _, found = project.read_project(path)
+    note, *others = [f for f in found.findings if f.code.startswith("file")]
+    assert told in note.message and note.position == "axis A1"
+    assert codes(others) == doubts
+
+
+def test_check_shows_unit_and_size_and_doubts(tmp_path, capsys):
+    document = FreeCAD.newDocument("roof", hidden=True)
+    try:
+        shell = document.addObject("Part::Feature", "Roof")
+        shell.Shape = Part.makeSphere(20.0).Faces[0]
+        Part.export([shell], str(tmp_path / "roof.step"))
+    finally:
+        FreeCAD.closeDocument(document.Name)
+    path = write_schedule(
+        tmp_path / "hall.xlsx",
+        [["Hall", "file", "roof.step", None]],
+        [["A1", "Hall", None, None, None, "keep", None]],
+        [["M1", "A1"]],
+        POINTS,
+    )
+    _, _, found = project.read_project(path)
+    note, doubt = [f for f in found.findings if f.code.startswith("file")]
+    assert "0.040 x 0.040 x 0.040 m" in note.message
+    assert "1000 times too small" in doubt.mend
+    main(["check", str(path), "--jobs", "1"])
+    printed = capsys.readouterr()
+    assert "roof.step" in printed.out + printed.err
+
+
+def test_without_rhino3dm_a_rhino_file_is_one_clear_line(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "rhino3dm", None)
+    path = write_schedule(
+        tmp_path / "hall.xlsx",
+        [["Hall", "file", "roof.3dm#Dome", None]],
+        [["A1", "Hall", None, None, None, None, None]],
+        [["M1", "A1"]],
+        POINTS,
+    )
+    with pytest.raises(BendTorsionError) as problem:
+        project.read_jobs(path)
+    [finding] = problem.value.findings
+    assert finding.position == "sheet Surfaces, row 2, column file"
+    assert "rhino3dm" in finding.message and "pip install rhino3dm" in finding.mend
+    with pytest.raises(BendTorsionError):
+        rhino_axis(tmp_path / "roof.3dm")

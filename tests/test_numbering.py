@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Part marks: shared by equal plates only, whatever their place, order and hand."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from curved_members import HALF_AXES
+from flat_plates import member, rectangle
+
+from BendTorsionWB.core.axis import fit_axis
+from BendTorsionWB.core.bevel_record import EdgeBevel
+from BendTorsionWB.core.frames import surface_frames
+from BendTorsionWB.core.lofting import MemberRecord
+from BendTorsionWB.core.member import Member
+from BendTorsionWB.core.numbering import numbered
+from BendTorsionWB.core.pattern import develop_plate
+from BendTorsionWB.core.plates import split_plates
+from BendTorsionWB.core.section import box
+from BendTorsionWB.core.surface import analytic_surface
+from BendTorsionWB.core.zones import Segment, section_law
+
+SURFACE = analytic_surface("ellipsoid", dict(zip("abc", HALF_AXES)))
+
+
+def curve(mirror=(1, 1, 1), lower=0.2):
+    t = np.linspace(0.0, 1.0, 9)
+    u, v = 0.35 + 0.3 * t, lower + 0.25 * t
+    unit = np.column_stack([np.cos(v) * np.cos(u), np.cos(v) * np.sin(u), np.sin(v)])
+    return unit * HALF_AXES * np.array(mirror)
+
+
+def record(name, points, height=800, section=None):
+    axis = fit_axis("A", points, SURFACE)
+    section = section or box("B", "box1", height, 700, 20, gap1=3, gap2=3)
+    law = section_law(name, [Segment(section)], axis.length)
+    member = Member(name, surface_frames(axis, SURFACE), law)
+    plates, _ = split_plates(member, {})
+    developed = tuple(map(develop_plate, plates))
+    return MemberRecord(name, "", "box1", plates=developed)
+
+
+def parts(*records):
+    return {
+        p.mark: (p.part, p.quantity, p.opposite_hand) for r in numbered(records) for p in r.plates
+    }
+
+
+def test_members_of_equal_geometry_share_parts():
+    """The ellipsoid is symmetric under half turns about its axes; so are the members."""
+    turned = (-1, -1, 1)
+    found = parts(record("M1", curve()), record("M2", curve(turned)))
+    for letter in "TBLR":
+        assert found[f"M2-{letter}1"] == found[f"M1-{letter}1"] == (f"M1-{letter}1", 2, "")
+
+
+def test_a_reversed_axis_turns_left_to_right_and_shares_the_flanges():
+    found = parts(record("M1", curve()), record("M2", curve()[::-1]))
+    assert found["M2-T1"][0] == "M1-T1" and found["M2-B1"][0] == "M1-B1"
+    assert found["M2-L1"][0] == "M1-R1" and found["M2-R1"][0] == "M1-L1"
+
+
+def test_mirrored_members_share_nothing_and_say_so():
+    found = parts(record("M1", curve()), record("M2", curve((-1, 1, 1))))
+    # The left web of the one is the mirror image of the right web of the other.
+    twins = {"T": "T", "B": "B", "L": "R", "R": "L"}
+    for letter, twin in twins.items():
+        assert found[f"M1-{letter}1"] == (f"M1-{letter}1", 1, f"M2-{twin}1")
+        assert found[f"M2-{letter}1"] == (f"M2-{letter}1", 1, f"M1-{twins[letter]}1")
+
+
+def test_what_differs_in_size_shape_or_grade_is_another_part():
+    one = record("M1", curve())
+    higher = record("M2", curve(), height=801)
+    elsewhere = record("M3", curve(lower=0.21))
+    steel = dataclasses.replace(
+        record("M4", curve()),
+        plates=tuple(dataclasses.replace(p, material="S460") for p in record("M4", curve()).plates),
+    )
+    found = parts(one, higher, elsewhere, steel)
+    assert found["M2-L1"] == ("M2-L1", 1, "")
+    assert all(found[f"M{k}-T1"][0] == f"M{k}-T1" for k in (1, 3, 4))
+
+
+def test_the_same_flat_shape_formed_otherwise_is_another_part():
+    """Two plates of one rectangle, rolled to different radii."""
+    one = record("M1", curve())
+    plate = one.plates[0]
+    bent = tuple(
+        dataclasses.replace(p, local=p.local * [1, 1, 0] if p.kind == "arris" else p.local)
+        for p in plate.points
+    )
+    other = MemberRecord(
+        "M2", "", "box1", plates=(dataclasses.replace(plate, mark="M2-T1", points=bent),)
+    )
+    assert parts(one, other)["M2-T1"][0] == "M2-T1"
+
+
+@pytest.mark.parametrize("order", [(0, 1, 2), (2, 0, 1)])
+def test_marks_do_not_depend_on_other_members(order):
+    records = [
+        record("M1", curve()),
+        record("M2", curve((-1, -1, 1))),
+        record("M9", curve(lower=0.3)),
+    ]
+    alone = parts(records[2])
+    together = parts(*(records[k] for k in order))
+    assert {mark: together[mark] for mark in alone} == alone
+
+
+def test_plates_that_differ_in_a_bevel_alone_are_different_parts():
+    def cut(mark, side, angle=45.0):
+        plate = rectangle(mark)
+        bevel = EdgeBevel(
+            side, "left", "", "", plate.s_start, plate.s_end, 0.0, (np.radians(angle), 14.0)
+        )
+        return dataclasses.replace(plate, bevels=(bevel,))
+
+    plates = (
+        cut("M1-T1", "first"),
+        cut("M1-T2", "first"),
+        cut("M1-T3", "second"),
+        cut("M1-T4", "first", 50.0),
+        rectangle("M1-T5"),
+    )
+    [record] = numbered([member("M1", plates)])
+    # A rectangle with the other edge cut is the same turned round.
+    assert [p.part for p in record.plates] == ["M1-T1"] * 3 + ["M1-T4", "M1-T5"]
+    end = EdgeBevel("end", "E-2", "", "", 2400.0, 2400.0, 0.0, (np.radians(30.0), 18.0))
+    ended = [dataclasses.replace(p, bevels=(*p.bevels, end)) for p in plates[:3]]
+    [record] = numbered([member("M1", tuple(ended))])
+    assert [p.part for p in record.plates] == ["M1-T1", "M1-T1", "M1-T3"]
+    assert [p.opposite_hand for p in record.plates] == ["M1-T3", "M1-T3", "M1-T1"]

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Members through executors: threads, forked and spawned processes, workers that die or fail."""
+
+import os
+import signal
+from concurrent.futures import Executor, ThreadPoolExecutor
+
+import pytest
+from test_build import APART, schedule
+
+from BendTorsionWB import project
+from BendTorsionWB.console import Progress
+from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.core.parallel import Workers, attempts, workers_for
+from BendTorsionWB.exchange.dxf import plate_dxf
+
+
+def square(number):
+    return number * number
+
+
+def square_or_die(number):
+    if number in (3, 7):
+        os.kill(os.getpid(), signal.SIGKILL)
+    return number * number
+
+
+def square_or_fail(number):
+    if number == 3:
+        raise MemoryError("no room")
+    return number * number
+
+
+NUMBERS = {str(number): number for number in range(10)}
+
+
+@pytest.mark.parametrize("method", ["fork", "spawn", None])
+def test_every_item_comes_back_with_its_name(method):
+    with workers_for(2, 10, method) if method else workers_for(1, 10) as executor:
+        assert (executor is None) == (method is None)
+        found = dict(attempts(square, NUMBERS, executor))
+    assert {name: outcome.value for name, outcome in found.items()} == {
+        name: number**2 for name, number in NUMBERS.items()
+    }
+
+
+def test_items_whose_workers_die_are_told_and_the_rest_complete():
+    with workers_for(2, 10) as executor:
+        found = dict(attempts(square_or_die, NUMBERS, executor))
+        # The pool is whole again for what comes after.
+        assert executor.submit(square, 5).result() == 25
+    assert {name for name, outcome in found.items() if outcome.failure} == {"3", "7"}
+    assert all("died" in found[name].failure for name in "37")
+    assert sum(outcome.value for outcome in found.values() if not outcome.failure) == 285 - 58
+
+
+def test_a_worker_that_fails_is_told_with_its_reason():
+    with ThreadPoolExecutor(2) as executor:
+        found = dict(attempts(square_or_fail, NUMBERS, executor))
+    assert "no room" in found["3"].failure
+    assert sum(not outcome.failure for outcome in found.values()) == 9
+
+
+def _jobs(tmp_path):
+    return project.read_jobs(schedule(tmp_path / "two.xlsx", APART))
+
+
+def _figures(detailed):
+    return {
+        name: [plate_dxf(plate) for plate in item.record.plates] for name, item in detailed.items()
+    }
+
+
+def test_spawned_processes_give_the_same_files(tmp_path):
+    given, jobs = _jobs(tmp_path)
+    with workers_for(2, 2, "spawn") as executor:
+        spawned = project.compute(given, jobs, executor)
+    assert _figures(spawned) == _figures(project.compute(given, jobs))
+
+
+def die(job):
+    if job.member.name == "M1":
+        os.kill(os.getpid(), signal.SIGKILL)
+    return project.detailing.detail(job)
+
+
+def test_a_member_whose_worker_dies_is_reported_and_the_rest_complete(tmp_path, monkeypatch):
+    given, jobs = _jobs(tmp_path)
+    monkeypatch.setattr(project, "_attempt", die)
+    with workers_for(2, 2, "fork") as executor:
+        detailed, lost = project.detail_members(given, jobs, executor)
+        assert list(detailed) == ["M2"]
+        [finding] = lost
+        assert (finding.object, finding.code) == ("M1", "worker-failed") and finding.mend
+        with pytest.raises(BendTorsionError):
+            project.compute(given, jobs, executor)
+
+
+def test_a_build_writes_the_others_and_leaves_no_files_of_the_lost_member(tmp_path, monkeypatch):
+    path = schedule(tmp_path / "two.xlsx", APART)
+    wanted = project.Wanted(model=False, sheets=False)
+    project.build(path, tmp_path / "out", workers=2, wanted=wanted)
+    monkeypatch.setattr(project, "_attempt", die)
+    for place in (tmp_path / "out" / ".cache").iterdir():
+        place.unlink()
+    result = project.build(path, tmp_path / "out", workers=2, wanted=wanted)
+    assert result.failed
+    assert [bool(record.plates) for record in result.records] == [False, True]
+    assert not list((tmp_path / "out").glob("*/M1*")) and list((tmp_path / "out").glob("*/M2*"))
+
+
+class Foreign(Executor):
+    """An executor of another kind, as a cluster's: futures only."""
+
+    def __init__(self):
+        self.threads = ThreadPoolExecutor(1)
+
+    def submit(self, function, /, *arguments, **named):
+        return self.threads.submit(function, *arguments, **named)
+
+
+def test_any_executor_will_do(tmp_path):
+    path = schedule(tmp_path / "two.xlsx", APART)
+    wanted = project.Wanted(model=False, sheets=False)
+    result = project.build(path, tmp_path / "out", executor=Foreign(), wanted=wanted)
+    assert not result.failed and len(result.records) == 2
+
+
+def test_inside_freecad_no_process_is_spawned(monkeypatch):
+    monkeypatch.setattr("sys.executable", "/usr/bin/FreeCAD")
+    with workers_for(2, 10, "spawn") as executor:
+        assert executor is None
+    with workers_for(2, 10, "fork") as executor:
+        assert isinstance(executor, Workers)
+
+
+def test_the_remaining_time_follows_the_pace():
+    now = [0.0]
+    progress = Progress(clock=lambda: now[0])
+    progress.quiet = False
+    progress("members", 0, 100)
+    assert progress.remaining(0, 100) == ""
+    now[0] = 10.0
+    assert progress.remaining(20, 100) == ", 0:40 left"
+    now[0] = 100.0
+    assert progress.remaining(50, 100) == ", 1:40 left"
+    assert progress.remaining(99, 100) == "" == progress.remaining(100, 100)

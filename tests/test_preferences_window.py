@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Preferences give new objects their first values and change no result of an existing document."""
+
+import pytest
+from freecad_window import ROOT, run_in_window
+from test_view_window import save_document
+
+PICTURES = ROOT / "build" / "pictures" / "preferences"
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.fixture(scope="module")
+def window(tmp_path_factory):
+    """One session: objects made, preferences changed in FreeCAD's dialog, objects made again."""
+    folder = tmp_path_factory.mktemp("preferences")
+    found = run_in_window(
+        ROOT / "tests" / "window" / "preferences_session.py",
+        folder,
+        pictures=PICTURES,
+        document=save_document(folder / "existing.FCStd"),
+    )
+    for step in ("before", "changed", "after"):
+        assert "failed" not in found[step], found[step]["failed"]
+    return found
+
+
+def test_a_fresh_profile_makes_what_the_scripting_interface_makes(window):
+    """The defaults are those of make.make_…, but for the size of a section, which has none."""
+    new = window["before"]["new"]["figures"]
+    assert new["S.Height"] == 600.0
+    assert new["M1 plates.StationSpacing"] == 500.0
+    assert new["M1 plates.RulePack"] == "CN"
+    assert new["A1.Tolerance"] == 0.005
+    # 4 m of a box 600 x 600 x 16.
+    assert new["M1 plates.Volume"] == pytest.approx((600**2 - 568**2) * 4000.0)
+
+
+def test_new_objects_start_with_what_is_preferred(window):
+    assert window["changed"]["shown"] == [600.0, 500.0, 0.005]
+    new = window["after"]["new"]["figures"]
+    assert new["S.Height"] == 750.0
+    assert new["M1 plates.StationSpacing"] == 250.0
+    assert new["M1 plates.RulePack"] == "EU"
+    assert new["A1.Tolerance"] == 0.001
+    assert new["M1 sheets.Author"] == "A. Detailer"
+    assert new["M1 plates.Volume"] == pytest.approx((750 * 600 - 718 * 568) * 4000.0)
+
+
+def test_a_macro_has_the_values_and_not_the_preference(window):
+    """The recorded lines give the same objects to someone with other preferences."""
+    lines = "\n".join(window["after"]["new"]["lines"])
+    for text in ("h=750.0", "station_spacing=250.0", "rule_pack='EU'", "tolerance=0.001"):
+        assert text in lines
+
+
+def test_an_existing_document_keeps_every_number(window):
+    """Recomputed whole with other preferences, to the last bit."""
+    existing = window["before"]["existing"]
+    assert len(existing) > 10
+    assert window["after"]["existing"] == existing
+
+
+def test_the_report_view_has_no_exception(window):
+    assert "Traceback" not in window["report_view"]

@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Issues: what is frozen, what later builds say of each plate, and plates already cut."""
+
+import csv
+import hashlib
+import json
+import shutil
+
+import openpyxl
+import pytest
+from test_build import APART, schedule
+from test_update import edit
+
+from BendTorsionWB import project
+from BendTorsionWB.__main__ import main
+from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.exchange.plate_status import read_statuses
+from BendTorsionWB.project import Wanted
+
+PLAIN = Wanted(model=False, sheets=False)
+
+
+@pytest.fixture(scope="module")
+def first(tmp_path_factory):
+    """A build issued as A: its schedule and folder."""
+    folder = tmp_path_factory.mktemp("issue")
+    path = schedule(folder / "two.xlsx", APART)
+    build(path, folder / "out")
+    project.issue_folder(folder / "out", "A", "for approval")
+    return path, folder / "out"
+
+
+@pytest.fixture
+def issued(first, tmp_path):
+    """A copy to change at will."""
+    path, out = first
+    shutil.copytree(out, tmp_path / "out")
+    return shutil.copy(path, tmp_path / "two.xlsx"), tmp_path / "out"
+
+
+def build(path, out, **given):
+    return project.build(path, out, workers=1, wanted=PLAIN, **given)
+
+
+def told(out):
+    content = json.loads((out / "revision.json").read_text())
+    return {plate["mark"]: plate for plate in content["plates"]}
+
+
+def transmittal(out, revision):
+    content = json.loads((out / "issued" / revision / "transmittal.json").read_text())
+    return {item["name"]: item for item in content["files"]}
+
+
+def test_an_issue_holds_every_file_with_its_hash_and_cannot_be_written_again(issued):
+    _, out = issued
+    files = transmittal(out, "A")
+    names = {str(p.relative_to(out)) for p in out.rglob("*") if p.is_file()}
+    names = {n for n in names if not n.startswith((".", "issued"))}
+    names -= {"report.json", "timing.json"}
+    assert set(files) == names
+    for name, item in files.items():
+        copy = out / "issued" / item["issued_as"]
+        assert copy.stem.endswith("_A") and item["revision"] == "A" and item["what"] == "new"
+        assert hashlib.sha256(copy.read_bytes()).hexdigest() == item["sha256"]
+        assert copy.read_bytes() == (out / name).read_bytes()
+        assert not copy.stat().st_mode & 0o222
+    rows = list(openpyxl.load_workbook(out / "issued/A/transmittal.xlsx")["Transmittal"].values)
+    assert [row[0] for row in rows[1 : len(files) + 1]] == sorted(files)
+    with open(out / "issued/A/transmittal.csv", encoding="utf-8-sig", newline="") as stream:
+        assert [row["sha256"] for row in csv.DictReader(stream)] == [
+            files[name]["sha256"] for name in sorted(files)
+        ]
+    before = {p: p.read_bytes() for p in (out / "issued").rglob("*") if p.is_file()}
+    for revision in ("A", "a"):
+        with pytest.raises(BendTorsionError) as problem:
+            project.issue_folder(out, revision)
+        assert problem.value.findings[0].code == "revision-exists"
+    assert {p: p.read_bytes() for p in (out / "issued").rglob("*") if p.is_file()} == before
+
+
+def test_the_same_schedule_leaves_every_plate_the_same(issued):
+    path, out = issued
+    build(path, out)
+    plates = told(out)
+    assert plates and {plate["what"] for plate in plates.values()} == {"same"}
+
+
+def test_plates_are_same_changed_new_or_void_and_the_next_issue_holds_what_changed(issued, capsys):
+    path, out = issued
+    before = {p: p.read_bytes() for p in (out / "issued").rglob("*") if p.is_file()}
+    # One joint less on top of M1; M2 loses its last point and some length.
+    edit(path, {("Splits", 2, "joints"): "0.3 1"})
+    book = openpyxl.load_workbook(path)
+    book["Sections"].append(["B610", "box1", 610, 600, 16])
+    for row in book["Members"].iter_rows(min_row=2):
+        if row[0].value == "M2":
+            row[3].value = "B610"
+    book.save(path)
+    build(path, out)
+    plates = told(out)
+    # M2 is 10 mm higher: its webs are 10 mm wider, 5 mm at each edge; top and bottom turn with it.
+    webs = [p for mark, p in plates.items() if mark.startswith(("M2-L", "M2-R"))]
+    assert webs and all(p["what"] == "changed" for p in webs)
+    for plate in webs:
+        assert plate["deviation"] == pytest.approx(5.0, abs=0.05)
+        assert plate["width"] == pytest.approx(10.0, abs=0.1)
+    gone = [mark for mark, plate in plates.items() if plate["what"] == "void"]
+    assert len(gone) == 1 and gone[0].startswith("M1-T")
+    same = [mark for mark, plate in plates.items() if plate["what"] == "same"]
+    assert any(mark.startswith("M1-B") for mark in same)
+    assert main(["issue", str(out), "--rev", "B", "--note", "web height"]) == 0
+    assert "revision B" in capsys.readouterr().out
+    files = transmittal(out, "B")
+    for mark in same:
+        assert files[f"plates/{mark}.dxf"]["revision"] == "A"
+        assert files[f"plates/{mark}.dxf"]["what"] == "same"
+        assert not (out / f"issued/B/plates/{mark}_B.dxf").exists()
+    for plate in webs:
+        item = files[f"plates/{plate['mark']}.dxf"]
+        assert (item["revision"], item["what"]) == ("B", "changed")
+        assert item["deviation"] == pytest.approx(5.0, abs=0.05)
+        assert (out / "issued" / item["issued_as"]).exists()
+    assert files[f"plates/{gone[0]}.dxf"]["what"] == "void"
+    assert {p: p.read_bytes() for p in before} == before, "revision A is as it was issued"
+    build(path, out)
+    assert {plate["what"] for plate in told(out).values()} == {"same"}
+
+
+def statuses(tmp_path, rows):
+    path = tmp_path / "status.csv"
+    path.write_text("plate,status\n" + "".join(f"{mark},{word}\n" for mark, word in rows.items()))
+    return read_statuses(path)
+
+
+def test_a_plate_that_is_cut_and_would_change_is_an_error_with_its_verdict(issued, tmp_path):
+    path, out = issued
+    book = openpyxl.load_workbook(path)
+    book["Sections"].append(["B590", "box1", 590, 600, 16])
+    book["Sections"].append(["B620", "box1", 620, 600, 16])
+    book["Sections"].append(["B18", "box1", 600, 600, 18])
+    book.save(path)
+    webs = ("M2-L1", "M2-R1")
+
+    def rebuilt(section, **given):
+        edit(path, {("Members", 4, "section"): section})
+        result = build(path, out, **given)
+        return {
+            f.object: f for f in result.findings if f.code == "cut-plate-changes"
+        }, result.failed
+
+    cut = statuses(tmp_path, {"M2-L1": "cut", "M1-B1": "cut"})
+    found, failed = rebuilt("B590", statuses=cut)
+    assert failed and list(found) == ["M2-L1"] and found["M2-L1"].severity == "error"
+    assert "trim" in found["M2-L1"].message and "edge" in found["M2-L1"].message
+    assert not list(out.glob("*/M2-*")) and list(out.glob("*/M1-*")), "M2 is not written"
+    found, failed = rebuilt("B590", statuses=statuses(tmp_path, {"M2-L1": "trim"}))
+    assert not failed and found["M2-L1"].severity == "warning"
+    found, failed = rebuilt("B620", statuses=cut)
+    assert failed and "scrap" in found["M2-L1"].message and "missing" in found["M2-L1"].message
+    found, failed = rebuilt("B18", statuses=statuses(tmp_path, dict.fromkeys(webs, "cut")))
+    assert failed and set(found) == set(webs)
+    assert all("scrap: thickness 16 -> 18" in f.message for f in found.values())
+    found, failed = rebuilt("B600", statuses=cut)
+    assert not failed and not found
+
+
+def test_the_status_may_stand_in_the_schedule(issued):
+    path, out = issued
+    book = openpyxl.load_workbook(path)
+    sheet = book.create_sheet("Status")
+    for row in (("plate", "status"), ("M2-L1", "cut")):
+        sheet.append(row)
+    book.save(path)
+    assert not build(path, out).failed
+    edit(path, {("Sections", 2, "t"): 18})
+    result = build(path, out)
+    assert [f.object for f in result.findings if f.severity == "error"][0] == "M2-L1"
+
+
+def test_a_partial_build_says_nothing_of_other_members(issued):
+    path, out = issued
+    build(path, out, only=["M2"])
+    assert {mark.split("-")[0] for mark in told(out)} == {"M2"}
+    project.build(path, out, workers=1, wanted=PLAIN)
+    assert {mark.split("-")[0] for mark in told(out)} == {"M1", "M2"}
+
+
+@pytest.mark.parametrize(
+    ("harm", "code"),
+    [
+        (lambda out: next((out / "plates").iterdir()).write_text("edited"), "file-changed"),
+        (lambda out: next((out / "nc1").iterdir()).unlink(), "file-changed"),
+        (lambda out: shutil.rmtree(out / ".cache"), "issue-nothing"),
+        (lambda out: (out / ".bendtorsion.json").unlink(), "issue-nothing"),
+        (lambda out: (out / "issued/A/transmittal.json").chmod(0o644) or
+            (out / "issued/A/transmittal.json").write_text("{"), "issue-unreadable"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_issued_is_told_and_nothing_is_written(issued, harm, code):
+    _, out = issued
+    harm(out)
+    with pytest.raises(BendTorsionError) as problem:
+        project.issue_folder(out, "B")
+    assert problem.value.findings[0].code == code
+    assert [p.name for p in (out / "issued").iterdir()] == ["A"]
+
+
+@pytest.mark.parametrize("name", ["", "../B", "B/C", ".B", "B*"])
+def test_a_revision_has_a_name_that_names_files(issued, name):
+    with pytest.raises(BendTorsionError) as problem:
+        project.issue_folder(issued[1], name)
+    assert problem.value.findings[0].code == "revision-name"
+
+
+def test_a_status_list_with_slips_is_refused_line_by_line(tmp_path):
+    path = tmp_path / "status.csv"
+    path.write_text("plate;status\nM1-T1;cut\nM1-T2;gone\nM1-T1;trim\n\n")
+    with pytest.raises(BendTorsionError) as problem:
+        read_statuses(path)
+    assert [(f.code, f.position) for f in problem.value.findings] == [
+        ("unknown-value", "row 3, column status"),
+        ("duplicate", "row 4, column plate"),
+    ]
+    path.write_text("mark,what\n")
+    with pytest.raises(BendTorsionError) as problem:
+        read_statuses(path)
+    assert problem.value.findings[0].code == "heading-missing"

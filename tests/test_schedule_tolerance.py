@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What people's spreadsheets bring along: titles, commas, text, Chinese headings, CSV, empty rows,
+and what must be refused: entities and archives that burst."""
+
+import copy
+import io
+import time
+import zipfile
+
+import openpyxl
+import pytest
+from openpyxl.styles import Font
+from schedule_books import GOOD, one, write
+
+from BendTorsionWB.exchange.csv_folder import write_folder
+from BendTorsionWB.exchange.schedule import read_schedule
+from BendTorsionWB.exchange.schedule_cells import BadCell, Number
+
+CHINESE_SHEETS = {
+    "Settings": "设置",
+    "Materials": "材料",
+    "Surfaces": "曲面",
+    "Points": "控制点",
+    "Axes": "轴线",
+    "Sections": "截面",
+    "Members": "构件",
+    "Splits": "分段",
+}
+CHINESE_COLUMNS = {
+    "Settings": ["项目", "值"],
+    "Materials": ["材料", "密度", "弹性模量", "屈服强度(MPa)"],
+    "Surfaces": ["曲面", "类型", "参数"],
+    "Points": ["轴线", "序号", "x", "y", "z"],
+    "Axes": ["轴线", "曲面"],
+    "Sections": [
+        *("截面", "类型", "高度（mm）", "宽度（mm）", "板厚", "间隙1", "间隙2"),
+        *("顶板厚", "腹板厚", "材质"),
+    ],
+    "Members": ["构件号", "段", "轴线", "截面", "变截面起点", "坡度", "对齐", "对齐基准", "转角"],
+    "Splits": ["构件", "板面", "拼缝"],
+}
+
+
+@pytest.fixture
+def good(tmp_path):
+    return read_schedule(write(tmp_path / "good.xlsx", GOOD))
+
+
+def same(schedule, good):
+    """Equal but for the file's name; places are no part of a row's value."""
+    return {**vars(schedule), "file": "", "folder": ""} == {**vars(good), "file": "", "folder": ""}
+
+
+def test_merged_titles_above_the_headings_are_passed_over(tmp_path, good):
+    path = write(tmp_path / "titled.xlsx", GOOD)
+    book = openpyxl.load_workbook(path)
+    for sheet in book:
+        sheet.insert_rows(1, 3)
+        sheet["A1"] = f"Concert hall, table of {sheet.title}"
+        sheet["A2"] = "rev"
+        sheet["B2"] = "B"
+        sheet.merge_cells("A1:C1")
+    book.save(path)
+    assert same(read_schedule(path), good)
+    book["Members"]["D6"] = "S9"
+    book.save(path)
+    assert one(read_schedule, path).position == "sheet Members, row 6, column section"
+
+
+def test_numbers_as_text_and_decimal_commas_are_numbers(tmp_path, good):
+    sheets = copy.deepcopy(GOOD)
+    for rows in sheets.values():
+        for row in rows[1:]:
+            row[:] = [str(c) if isinstance(c, (int, float)) else c for c in row]
+    sheets["Points"][2][2:] = ["0,0", "20000,0", " 0 "]
+    sheets["Members"][3][4] = "75,0%"
+    sheets["Splits"][1][2] = "0,2 0,4 1"
+    sheets["Sections"][2][2] = "６００"
+    assert same(read_schedule(write(tmp_path / "text.xlsx", sheets)), good)
+
+
+@pytest.mark.parametrize(
+    ("text", "number"),
+    [
+        ("12,5", 12.5),
+        ("-0,125", -0.125),
+        ("1.234,5", 1234.5),
+        ("1,234.5", 1234.5),
+        ("1.234.567,25", 1234567.25),
+        ("12，5", 12.5),
+        ("1234,567", 1234.567),
+        ("2,5e3", 2500.0),
+    ],
+)
+def test_commas_that_can_mean_one_thing_only(text, number):
+    assert Number()(text) == number
+
+
+@pytest.mark.parametrize("text", ["12,500", "1,234,567", "1,2,3", "1,23.4", "1.23,4.5", ",", "a,5"])
+def test_commas_that_can_mean_two_things_or_none_are_refused(text):
+    with pytest.raises(BadCell) as bad:
+        Number()(text)
+    assert bad.value.code == "not-a-number" and bad.value.mend
+
+
+def test_chinese_sheets_and_headings(tmp_path, good):
+    sheets = {
+        CHINESE_SHEETS[title]: [CHINESE_COLUMNS[title], *rows[1:]] for title, rows in GOOD.items()
+    }
+    assert all(len(CHINESE_COLUMNS[t]) == len(rows[0]) for t, rows in GOOD.items())
+    path = write(tmp_path / "chinese.xlsx", sheets)
+    assert same(read_schedule(path), good)
+
+
+@pytest.mark.parametrize(
+    ("separator", "encoding"),
+    [(",", "utf-8-sig"), (";", "utf-8"), ("\t", "utf-16"), (",", "gb18030")],
+)
+def test_a_folder_of_csv_reads_as_the_workbook_does(tmp_path, good, separator, encoding):
+    folder = tmp_path / "hall"
+    write_folder(folder, GOOD)
+    (folder / "notes.txt").write_text("not a sheet")
+    for path in folder.glob("*.csv"):
+        text = path.read_bytes().decode("utf-8-sig").replace(",", separator)
+        path.write_bytes(text.encode(encoding))
+    assert same(read_schedule(folder), good)
+
+
+def test_faults_in_a_csv_folder_have_their_place(tmp_path):
+    folder = tmp_path / "hall"
+    sheets = copy.deepcopy(GOOD)
+    sheets["Members"][2][3] = "S9"
+    write_folder(folder, sheets)
+    finding = one(read_schedule, folder)
+    assert finding.position == "sheet Members, row 3, column section" and finding.object == "hall"
+    (folder / "Members.csv").write_bytes(b'member,segment\n"M1,1\n')
+    assert one(read_schedule, folder).code == "file-unreadable"
+    (tmp_path / "empty").mkdir()
+    assert one(read_schedule, tmp_path / "empty").code == "file-missing"
+
+
+def test_a_hundred_thousand_empty_rows_take_no_time(tmp_path, good):
+    path = write(tmp_path / "long.xlsx", GOOD)
+    book = openpyxl.load_workbook(path)
+    for row in range(10, 100_010):
+        book["Members"].cell(row, 1).font = Font(bold=True)
+    book.save(path)
+    start = time.process_time()
+    assert same(read_schedule(path), good)
+    assert time.process_time() - start < 10.0
+
+
+def repacked(path, change):
+    content = io.BytesIO()
+    with zipfile.ZipFile(path) as source, zipfile.ZipFile(content, "w") as target:
+        for name in source.namelist():
+            target.writestr(name, change(name, source.read(name)))
+    path.write_bytes(content.getvalue())
+    return path
+
+
+@pytest.mark.parametrize("coding", ["utf-8", "utf-16"])
+@pytest.mark.parametrize("part", ["xl/workbook.xml", "xl/worksheets/sheet2.xml"])
+def test_an_external_entity_is_refused_and_not_read(tmp_path, part, coding):
+    secret = tmp_path / "secret.txt"
+    secret.write_text("not for the schedule")
+
+    def change(name, data):
+        if name != part:
+            return data
+        head, _, rest = (
+            data.decode().partition("?>") if data.startswith(b"<?") else ("", "", data.decode())
+        )
+        declared = f'<!DOCTYPE x [<!ENTITY e SYSTEM "file://{secret}">]>'
+        return (f'<?xml version="1.0" encoding="{coding}"?>{declared}{rest}').encode(coding)
+
+    path = repacked(write(tmp_path / "trap.xlsx", GOOD), change)
+    finding = one(read_schedule, path)
+    assert finding.code == "file-unsafe" and "secret" not in finding.line()
+
+
+def test_a_zip_bomb_is_refused_before_it_bursts(tmp_path):
+    path = write(tmp_path / "bomb.xlsx", GOOD)
+    with zipfile.ZipFile(path, "a", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("xl/media/one.bin", bytes(210_000_000))
+    assert path.stat().st_size < 1e6
+    start = time.process_time()
+    assert one(read_schedule, path).code == "file-too-large"
+    assert time.process_time() - start < 1.0
+
+
+def test_a_half_saved_workbook_is_one_line(tmp_path):
+    path = write(tmp_path / "half.xlsx", GOOD)
+    content = path.read_bytes()
+    for kept in (0, 10, len(content) // 2, len(content) - 30):
+        path.write_bytes(content[:kept])
+        assert one(read_schedule, path).code in ("not-xlsx", "file-unreadable")

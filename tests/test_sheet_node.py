@@ -1,0 +1,276 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Node drawings: what they show against closed forms and true faces, and that all of it fits."""
+
+import math
+import subprocess
+
+import numpy as np
+import pytest
+from curved_members import ELLIPSOID
+from meeting_members import PLANE, counter, diagonal
+
+from BendTorsionWB.core import detailing
+from BendTorsionWB.core.axis_input import AxisInput
+from BendTorsionWB.core.frames import FrameInput
+from BendTorsionWB.core.node_ends import plate_ends
+from BendTorsionWB.core.node_faces import outer_faces
+from BendTorsionWB.core.node_input import NodeInput, NodeRules
+from BendTorsionWB.core.node_jobs import jobs_with_nodes
+from BendTorsionWB.core.section import box
+from BendTorsionWB.core.segment import Segment
+from BendTorsionWB.core.sheet import outside_frame, overlapping_texts
+from BendTorsionWB.core.sheet_node import has_nodes, node_sheets
+from BendTorsionWB.core.sheet_node_view import clipped
+from BendTorsionWB.core.sheet_style import SheetStyle, fixed
+from BendTorsionWB.core.site import SiteDatum
+from BendTorsionWB.sheet_files import node_sheets as sheets_of_build
+from BendTorsionWB.sheets.pdf import write_pdf
+
+BIG, LOW, SMALL = (
+    box("A", "box1", 600, 400, 16),
+    box("B", "box1", 360, 300, 12),
+    box("C", "box1", 300, 220, 10),
+)
+X = ("X", (-2500.0, 0.0, 0.0), (2500.0, 0.0, 0.0), BIG)
+
+
+def at(degrees, length, x=0.0):
+    turn = math.radians(degrees)
+    return x + length * math.cos(turn), length * math.sin(turn), 0.0
+
+
+def straight(name, start, end, section):
+    return detailing.MemberJob(
+        PLANE,
+        AxisInput(f"A-{name}", np.array([start, end], float), fit="keep"),
+        detailing.MemberInput(name, (Segment(section),), frame=FrameInput("fixed")),
+        detailing.PlatesInput(),
+    )
+
+
+def details(jobs, rows=(), **rules):
+    ranks = {name: k for k, name in enumerate(jobs)}
+    made, found = jobs_with_nodes(jobs, ranks, rows, NodeRules(**rules))
+    assert not [f for f in found.findings if f.severity == "error"]
+    return [detailing.detail(job) for job in made.values()]
+
+
+def records(members, rows=(), **rules):
+    jobs = {member[0]: straight(*member) for member in members}
+    return [one.record for one in details(jobs, rows, **rules)]
+
+
+CROSSING = [X, ("Y", at(60, -2500), at(60, 2500), LOW)]
+CASES = {
+    "crossing": (CROSSING, (NodeInput("X", "Y", diaphragms="flanges and webs"),)),
+    "T with a stub": (
+        [X, ("Y", at(-90, 3000), (0, 0, 0), LOW)],
+        (NodeInput("X", "Y", type="stub", stub_length=800.0),),
+    ),
+    "K": (
+        [X, ("Y", at(-130, 2500, -60), (-60, 0, 0), SMALL)]
+        + [("Z", at(-50, 2500, 60), (60, 0, 0), SMALL)],
+        (),
+    ),
+    "corner": (
+        [("X", (-2500, 0, 0), (400, 0, 0), BIG), ("Y", at(-90, 2500), (0, 0, 0), LOW)],
+        (),
+    ),
+}
+
+
+@pytest.fixture(scope="module")
+def crossing():
+    return records(*CASES["crossing"])
+
+
+@pytest.fixture(scope="module", params=list(CASES))
+def case(request):
+    return records(*CASES[request.param])
+
+
+def ends_of(found):
+    return plate_ends(found[1].nodes[0], found[1], found[0])
+
+
+def table(sheets, first):
+    return [
+        row
+        for sheet in sheets
+        for table in sheet.tables
+        if table.header[0] == first
+        for row in table.rows
+    ]
+
+
+def test_cuts_of_straight_members_have_their_closed_forms(crossing):
+    """Flanges are cut askew and square to their face, webs square and with the angle's bevel."""
+    ends = ends_of(crossing)
+    assert [(end.plate.mark, end.way) for end in ends] == [
+        (f"Y-{letter}{number}", way) for number, way in ((1, -1), (2, 1)) for letter in "TBLR"
+    ]
+    thirty = math.radians(30.0)
+    for end in ends:
+        flange = end.plate.face in ("top", "bottom")
+        # The flanges lie between the webs.
+        outer = np.linalg.norm(end.corners[1] - end.corners[0])
+        assert outer == pytest.approx(276.0 / math.sin(math.radians(60)) if flange else 360.0)
+        assert end.length == pytest.approx(outer)
+        # Left of the branch, at -x before the node: the obtuse side there is the acute one behind.
+        sharp = 1.0 if (end.plate.face == "left") == (end.way > 0) else -1.0
+        assert end.bevel == pytest.approx([0.0, 0.0] if flange else [sharp * thirty] * 2, abs=1e-9)
+        assert end.dihedral == pytest.approx(0.5 * math.pi - end.bevel)
+        assert end.face == ("right" if end.way < 0 else "left")
+
+
+def test_bevels_on_twisted_faces_are_those_of_the_true_normals():
+    """Against the normal of the through member's face and of the branch's own ruled plate."""
+    t = np.linspace(0.0, 1.0, 9)
+    jobs = {
+        name: detailing.MemberJob(
+            ELLIPSOID,
+            AxisInput(f"A-{name}", curve(t)),
+            detailing.MemberInput(name, (Segment(section),)),
+            detailing.PlatesInput(),
+        )
+        for name, curve, section in (
+            ("M1", diagonal, box("P", "box1", 800, 800, 20)),
+            ("M2", counter, box("Q", "box1", 600, 500, 16)),
+        )
+    }
+    through, branch = details(jobs)
+    (node,) = branch.record.nodes
+    ends = plate_ends(node, branch.record, through.record)
+    assert len(ends) == 8
+    member = through.geometry.member
+    faces = outer_faces(member, node.s_through - 2000.0, node.s_through + 2000.0)
+    plates = {item.plate.mark: item.plate for item in branch.plates.plates}
+    for end in ends:
+        _, up = faces.distance(faces.names.index(end.face), end.corners)
+        plate = plates[end.plate.mark]
+        s = [p.s for p in end.plate.points if p.line == end.line and p.kind == "arris"]
+        value, rate = plate.rails.outer(np.array(s)), plate.rails.outer.derivative(np.array(s))
+        along = np.stack([rate[0, :3], rate[1, 3:]])
+        normal = np.cross(along, value[:, 3:] - value[:, :3])
+        normal /= np.linalg.norm(normal, axis=1)[:, None]
+        wanted = np.arcsin((normal * up).sum(axis=1))
+        if abs(wanted - end.bevel).max() > abs(wanted + end.bevel).max():
+            wanted = -wanted
+        assert end.bevel == pytest.approx(wanted, abs=math.radians(0.3))
+    # The acute side is the one whose outer face is the longer, on both sides of the node.
+    webs = {(end.plate.face, end.way): end.bevel.mean() for end in ends}
+    assert webs["left", -1] * webs["right", -1] < 0.0 < webs["left", -1] * webs["right", 1]
+
+
+def test_a_field_joint_is_no_end_at_the_node_and_the_far_side_of_a_t_has_none():
+    found = records(*CASES["T with a stub"])
+    ends = ends_of(found)
+    assert sorted(end.plate.mark for end in ends) == ["Y-B2", "Y-L2", "Y-R2", "Y-T2"]
+    assert {end.way for end in ends} == {-1}
+    sheets = node_sheets(found)
+    welds = table(sheets, "weld")
+    assert [row[-1] for row in welds] == ["field"] * 4
+    assert any("stub 800" in text.text for text in sheets[0].texts)
+
+
+def test_views_are_to_scale(crossing):
+    """The cuts, drawn wide, lie the root gap off the face, as long as they are."""
+    (sheet,) = node_sheets(crossing)
+    (first, second, third) = sheet.views
+    cuts = [np.array(line.points) for line in first.polylines if line.style == "wide"]
+    assert len(cuts) == 8
+    assert sorted({round(abs(y), 6) for cut in cuts for _, y in cut}) == [203.0]
+    lengths = {round(float(np.hypot(*(cut[1] - cut[0]))), 6) for cut in cuts}
+    assert lengths == {0.0, round(276.0 / math.sin(math.radians(60.0)), 6)}
+    for view, wide, high in ((second, 203.0, 180.0), (third, None, 180.0)):
+        cuts = np.array([line.points for line in view.polylines if line.style == "wide"])
+        assert np.abs(cuts[..., 1]).max() == pytest.approx(high)
+        assert wide is None or np.abs(np.abs(cuts[..., 0]) - wide).max() < 1e-6
+    # Seen along the branch its webs are 300 apart, and through flanges are 600 apart.
+    assert np.ptp(cuts[..., 0]) >= 300.0
+    everything = np.array([point for line in third.polylines for point in line.points])
+    assert np.ptp(everything[:, 1]) == pytest.approx(600.0)
+    assert len({view.scale for view in sheet.views}) == 1 and first.scale <= 30
+
+
+@pytest.mark.parametrize(
+    "style",
+    [
+        SheetStyle("Hall"),
+        SheetStyle("Hall", format="A4", language="zh"),
+        SheetStyle("Hall", format="ARCH B", standard="AWS", unit="ft-in"),
+    ],
+    ids=lambda style: style.format,
+)
+def test_everything_is_shown_and_nothing_overlaps(case, style):
+    sheets = node_sheets(case, style)
+    assert [sheet.number for sheet in sheets] == list(range(1, len(sheets) + 1))
+    for sheet in sheets:
+        assert overlapping_texts(sheet.all_texts()) == []
+        assert outside_frame(sheet) == []
+        assert min(text.height for text in sheet.all_texts()) >= 1.8
+    assert sum(len(sheet.views) for sheet in sheets) == 3
+    shown = {text.text for sheet in sheets for text in sheet.texts}
+    rows = {row[0] for sheet in sheets for table in sheet.tables for row in table.rows}
+    through, *branches = case
+    for record in branches:
+        for end in plate_ends(record.nodes[0], record, through):
+            assert end.plate.mark in shown and end.plate.mark in rows
+        assert record.member in rows
+    for plate in through.plates:
+        if plate.letter == "D":
+            assert plate.mark in shown and plate.mark in rows
+
+
+def test_steps_are_held_against_the_rule():
+    members = [X, ("Y", (0.0, -2500.0, 120.0), (0.0, 2500.0, 121.2), LOW)]
+    rows = {}
+    for limit in (2.0, 0.5):
+        found = records(members, flange_step=limit)
+        rows[limit] = table(node_sheets(found), "branch")
+        steps = [row for row in rows[limit] if len(row) == 10]
+        assert [float(row[5]) for row in steps] == pytest.approx(
+            [step.step for step in found[1].nodes[0].steps], abs=0.006
+        )
+        ruled = [row[-1] for row in steps if row[2] == "top"]
+        assert ruled == (["kept"] if limit == 2.0 else ["broken"]) * 4
+        assert [row[6] for row in steps if row[2] == "top"] == [f"{limit:.2f}"] * 4
+        assert {row[-1] for row in steps if row[2] == "bottom"} == {"not in line"}
+
+
+def test_the_place_is_given_in_the_model_and_on_the_site(crossing):
+    site = SiteDatum(1000.0, 2000.0, 10.0, math.pi / 2, "m")
+    node = crossing[1].nodes[0]
+    places = table(node_sheets(crossing, SheetStyle(site=site)), "system")
+    assert places[0][1:] == tuple(fixed(value, 1) for value in (node.x, node.y, node.z))
+    wanted = site.of(np.array([node.x, node.y, node.z]))
+    assert [float(cell) for cell in places[1][1:]] == pytest.approx(wanted, abs=0.001)
+
+
+def test_nodes_are_drawn_where_the_member_that_runs_through_is_there(crossing):
+    through, branch = crossing
+    assert has_nodes(crossing) and len(node_sheets(crossing)) == 1
+    for only in ([through], [branch], []):
+        assert not has_nodes(only) and node_sheets(only) == ()
+
+
+def test_the_text_of_a_node_sheet_can_be_searched(crossing, tmp_path):
+    write_pdf(sheets_of_build(crossing), tmp_path / "nodes.pdf")
+    text = subprocess.run(
+        ["pdftotext", "-raw", str(tmp_path / "nodes.pdf"), "-"],
+        capture_output=True,
+        encoding="utf-8",
+        check=True,
+    ).stdout
+    for wanted in ("node N1", "Y-T1", "X-D1", "60.00", "30.0", "root gap 3.0"):
+        assert wanted in text
+
+
+def test_a_line_is_clipped_between_two_planes():
+    ring = np.array([(-5.0, 0, 0), (5, 0, 0), (5, 1, 0), (-5, 1, 0), (-5, 0, 0)])
+    runs, breaks = clipped(ring, np.zeros(3), np.array([1.0, 0, 0]), 2.0)
+    assert [run[:, 0].tolist() for run in runs] == [[-2.0, 2.0], [2.0, -2.0]]
+    assert [cut[:, 0].tolist() for cut in breaks] == [[-2.0, -2.0], [2.0, 2.0]]
+    runs, breaks = clipped(ring, np.zeros(3), np.array([1.0, 0, 0]), 9.0)
+    assert len(runs) == 1 and not breaks and runs[0] == pytest.approx(ring)
+    assert clipped(ring + (20.0, 0, 0), np.zeros(3), np.array([1.0, 0, 0]), 9.0) == ([], [])

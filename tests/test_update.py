@@ -1,0 +1,293 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A document brought up to a changed schedule: same objects, hand-made additions kept, counts of
+what is recomputed; and what two documents or schedules differ in."""
+
+import json
+
+import FreeCAD
+import openpyxl
+import pytest
+from test_build import APART, schedule, short
+
+from BendTorsionWB import project
+from BendTorsionWB.__main__ import main
+from BendTorsionWB.document import build_document
+from BendTorsionWB.document_difference import document_changes
+from BendTorsionWB.document_update import Update
+from BendTorsionWB.exchange.csv_folder import write_folder
+from BendTorsionWB.exchange.schedule import read_schedule
+from BendTorsionWB.round_trip import difference
+
+THREE = (*APART, short(0.35, 0.55))
+
+
+def edit(path, cells=(), drop=()):
+    book = openpyxl.load_workbook(path)
+    for (sheet, row, column), value in dict(cells).items():
+        headings = [cell.value for cell in book[sheet][1]]
+        book[sheet].cell(row, headings.index(column) + 1, value)
+    for name in drop:
+        for sheet in ("Members", "Splits"):
+            for row in range(book[sheet].max_row, 1, -1):
+                if book[sheet].cell(row, 1).value == name:
+                    book[sheet].delete_rows(row)
+    book.save(path)
+    return path
+
+
+@pytest.fixture
+def path(tmp_path):
+    return schedule(tmp_path / "three.xlsx", THREE)
+
+
+@pytest.fixture
+def made(path):
+    """The document of the schedule, recomputed."""
+    given, jobs = project.read_jobs(path)
+    document = build_document(given, jobs, sheets=False)
+    document.recompute()
+    yield document
+    FreeCAD.closeDocument(document.Name)
+
+
+def brought(document, path, removing=False):
+    given, jobs = project.read_jobs(path)
+    template = build_document(given, jobs, sheets=False)
+    update = Update(removing)
+    update.bring(document, template, sheets=False)
+    FreeCAD.closeDocument(template.Name)
+    return update
+
+
+def of_label(document, label, kind):
+    [obj] = [o for o in document.Objects if o.Label == label and getattr(o, "BT_Type", "") == kind]
+    return obj
+
+
+def labels(document):
+    return [obj.Label for obj in document.Objects]
+
+
+@pytest.fixture
+def ran(made, monkeypatch):
+    """Labels of the objects whose build runs."""
+    names = []
+    for kind in {type(obj.Proxy) for obj in made.Objects if hasattr(obj, "Proxy")}:
+
+        def spy(self, obj, real=kind.build):
+            names.append(obj.Label)
+            return real(self, obj)
+
+        monkeypatch.setattr(kind, "build", spy)
+    return names
+
+
+def test_the_same_schedule_changes_nothing_and_recomputes_nothing(made, path, ran):
+    update = brought(made, path)
+    assert update.changes == [] == update.findings
+    made.recompute()
+    assert ran == []
+
+
+def test_a_changed_cell_changes_one_property_and_what_depends_on_it(made, path, ran):
+    names = {obj.Label: obj.Name for obj in made.Objects}
+    edit(path, {("Sections", 3, "h"): 520})
+    update = brought(made, path)
+    [change] = update.changes
+    assert (change.kind, change.name, change.property) == ("SectionSpec", "B500", "Height")
+    assert (change.before, change.after, change.member) == (500.0, 520.0, "M1")
+    made.recompute()
+    assert {name for name in ran if "M" in name and "bed" not in name} == {
+        "M1",
+        "M1 plates",
+        "M1 patterns",
+    }
+    assert not [name for name in ran if "M2" in name or "M3" in name or name.startswith("A")]
+    assert {obj.Label: obj.Name for obj in made.Objects} == names
+
+
+def test_new_rows_are_added_and_gone_rows_named_before_they_go(made, path, tmp_path):
+    four = schedule(tmp_path / "four.xlsx", (*THREE, short(0.6, 0.7)))
+    edit(four, drop=["M2"])
+    before = labels(made)
+    update = brought(made, four)
+    added = {(c.kind, c.name) for c in update.changes if c.what == "added"}
+    assert {("Member", "M4"), ("PlateSet", "M4 plates"), ("Axis", "A4")} <= added
+    assert all("4" in name for _, name in added)
+    assert [name for name in labels(made) if name in before] == before, "nothing went"
+    gone = {f.object for f in update.findings}
+    assert {"M2", "M2 plates", "A2"} <= gone and all("2" in name for name in gone)
+    assert all(f.code == "row-removed" and "--remove" in f.mend for f in update.findings)
+    update = brought(made, four, removing=True)
+    assert not [name for name in labels(made) if "M2" in name or name == "A2"]
+    assert {c.name for c in update.changes if c.what == "removed"} == gone
+    made.recompute()
+    assert all(obj.Status == "ok" for obj in made.Objects if hasattr(obj, "Status"))
+    given, jobs = project.read_jobs(four)
+    anew = build_document(given, jobs, sheets=False)
+    assert document_changes(made, anew) == ()
+    FreeCAD.closeDocument(anew.Name)
+
+
+def test_hand_made_additions_stay_and_are_named_when_they_use_what_is_gone(made, path):
+    sheet = made.addObject("Spreadsheet::Sheet", "Sizes")
+    sheet.set("A1", "=510 mm")
+    sheet.setAlias("A1", "wanted")
+    mirror = made.addObject("Part::Mirroring", "Mirror")
+    mirror.Source = of_label(made, "M2 plates", "PlateSet")
+    section = of_label(made, "B500", "SectionSpec")
+    section.setExpression("Height", "Sizes.wanted")
+    made.recompute()
+    edit(path, {("Sections", 3, "h"): 520}, drop=["M2"])
+    update = brought(made, path)
+    bound = [f for f in update.findings if f.code == "bound-by-hand"]
+    assert [f.object for f in bound] == ["B500"] and update.changes == []
+    made.recompute()
+    assert section.Height.Value == 510.0 and sheet in made.Objects and mirror in made.Objects
+    [plates] = [f for f in update.findings if f.object == "M2 plates"]
+    assert "Mirror" in plates.message
+
+
+def test_a_label_or_value_changed_by_hand_is_brought_back_and_told(made, path):
+    member = of_label(made, "M1", "Member")
+    member.Label = "M1 old"
+    member.OffsetZ = 30.0
+    update = brought(made, path)
+    assert {(c.name, c.property) for c in update.changes} == {
+        ("M1", "Label"),
+        ("M1", "OffsetZ"),
+    } or {c.property for c in update.changes} == {"Label", "OffsetZ"}
+    assert member.Label == "M1" and member.OffsetZ.Value == 0.0
+
+
+def test_a_member_and_its_axis_may_bear_one_name_and_two_members_one_axis(tmp_path):
+    path = schedule(tmp_path / "one.xlsx", APART)
+    book = openpyxl.load_workbook(path)
+    for sheet, column in (("Axes", 1), ("Points", 1), ("Members", 3)):
+        for row in book[sheet].iter_rows(min_row=2):
+            row[column - 1].value = row[column - 1].value.replace("A", "M")
+    book.save(path)
+    given, jobs = project.read_jobs(path)
+    document = build_document(given, jobs, sheets=False)
+    try:
+        document.recompute()
+        plates = of_label(document, "M1 plates", "PlateSet")
+        assert plates.Member.Label == "M1" == plates.Member.Axis.Label
+        assert all(mark.startswith("M1-") for mark in plates.Marks)
+    finally:
+        FreeCAD.closeDocument(document.Name)
+
+
+@pytest.mark.slow
+def test_update_on_the_command_line_keeps_the_document_and_what_was_drawn_in_it(
+    path, tmp_path, capsys
+):
+    out = tmp_path / "out"
+    flags = ["--no-sheets", "--jobs", "1"]
+    assert main(["build", str(path), "--out", str(out), *flags]) == 0
+    document = FreeCAD.openDocument(str(out / "model.FCStd"), hidden=True)
+    document.addObject("Part::Box", "Crane")
+    document.saveAs(str(out / "model.FCStd"))
+    FreeCAD.closeDocument(document.Name)
+    edit(path, {("Sections", 3, "h"): 520})
+    capsys.readouterr()
+    assert main(["update", str(path), "--out", str(out), *flags]) == 0
+    printed = capsys.readouterr().out
+    assert "SectionSpec B500: Height 500 -> 520 (members M1)" in printed
+    document = FreeCAD.openDocument(str(out / "model.FCStd"), hidden=True)
+    assert document.getObject("Crane") is not None
+    FreeCAD.closeDocument(document.Name)
+    updated = (out / "report.json").read_bytes()
+    step = (out / "model.step").read_bytes()
+    assert main(["build", str(path), "--out", str(tmp_path / "anew"), *flags]) == 0
+    assert updated == (tmp_path / "anew" / "report.json").read_bytes()
+    assert len(step) == pytest.approx(
+        len((tmp_path / "anew" / "model.step").read_bytes()), rel=0.01
+    )
+    # A build makes the document anew, but never loses what was drawn in the one there was.
+    assert main(["build", str(path), "--out", str(out), *flags]) == 0
+    document = FreeCAD.openDocument(str(out / "model.former.FCStd"), hidden=True)
+    assert document.getObject("Crane") is not None
+    FreeCAD.closeDocument(document.Name)
+
+
+def test_the_difference_of_two_schedules_per_member_and_property(path, tmp_path, capsys):
+    other = tmp_path / "later.xlsx"
+    other.write_bytes(path.read_bytes())
+    edit(
+        other,
+        {
+            ("Sections", 3, "h"): 520,
+            ("Points", 4, "z"): 11111.0,
+            ("Members", 3, "cut"): "50%",
+            ("Splits", 2, "joints"): "0.4 1",
+        },
+        drop=["M3"],
+    )
+    changes = difference(path, other)
+    found = {(c.what, c.kind, c.name, c.property, c.member) for c in changes}
+    assert ("changed", "sections", "B500", "h", "M1") in found
+    assert ("changed", "axes", "A1", "points 3 z", "M1") in found
+    assert ("changed", "members", "M1", "segments 2 cut value", "M1") in found
+    assert ("removed", "members", "M3", "", "M3") in found
+    assert any(kind == "splits" and name == "M1 top" for _, kind, name, _, _ in found)
+    assert {member for *_, member in found} == {"M1", "M3"}
+    target = tmp_path / "changes.xlsx"
+    assert main(["diff", str(path), str(other), "--report", str(target)]) == 0
+    printed = capsys.readouterr().out
+    assert "sections B500: h 500 -> 520 (members M1)" in printed
+    rows = list(openpyxl.load_workbook(target)["Changes"].values)
+    assert len(rows) == len(changes) + 1 and "before" in rows[0]
+    assert main(["diff", str(path), str(other), "--report", str(tmp_path / "c.json")]) == 0
+    assert len(json.loads((tmp_path / "c.json").read_text())) == len(changes)
+    assert difference(path, path) == ()
+
+
+def test_moved_rows_and_another_form_of_file_are_no_difference(path, tmp_path):
+    book = openpyxl.load_workbook(path)
+    sheets = {sheet.title: [list(row) for row in sheet.values] for sheet in book}
+    write_folder(tmp_path / "csv", sheets)
+    book["Members"].insert_rows(2, 3)
+    book.save(tmp_path / "moved.xlsx")
+    assert difference(path, tmp_path / "csv") == ()
+    assert difference(path, tmp_path / "moved.xlsx") == ()
+    assert read_schedule(tmp_path / "csv").members
+
+
+def test_a_document_differs_from_a_schedule_by_what_was_edited_in_it(made, path, tmp_path):
+    of_label(made, "B500", "SectionSpec").Thickness = 14
+    made.saveCopy(str(tmp_path / "edited.FCStd"))
+    [change] = difference(path, tmp_path / "edited.FCStd")
+    assert (change.name, change.property) == ("B500", "Thickness")
+    assert (change.before, change.after, change.member) == (12.0, 14.0, "M1")
+
+
+@pytest.mark.slow
+def test_with_sheets_an_edit_reaches_the_pages_of_its_members_and_no_others(path, monkeypatch):
+    given, jobs = project.read_jobs(path)
+    document = build_document(given, jobs)
+    try:
+        document.recompute()
+        ran = []
+        for kind in {type(obj.Proxy) for obj in document.Objects if hasattr(obj, "Proxy")}:
+
+            def spy(self, obj, real=kind.build):
+                ran.append(obj)
+                return real(self, obj)
+
+            monkeypatch.setattr(kind, "build", spy)
+        of_label(document, "B500", "SectionSpec").Height = 520
+        document.recompute()
+        counts = {}
+        for obj in ran:
+            counts[obj.BT_Type] = counts.get(obj.BT_Type, 0) + 1
+        pages = of_label(document, "M1 sheets", "SheetSet").PageCount
+        once = ("SectionSpec", "Member", "PlateSet", "Unfold", "SheetSet")
+        assert {kind: counts[kind] for kind in once} == dict.fromkeys(once, 1)
+        assert counts["PageOutlines"] == counts["PageSymbol"] == pages > 1
+        assert counts.get("Axis", 0) == counts.get("Surface", 0) == 0
+        ran.clear()
+        document.recompute()
+        assert ran == []
+    finally:
+        FreeCAD.closeDocument(document.Name)

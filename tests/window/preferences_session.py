@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs inside FreeCAD's window: preferences, and what they do to new and to existing objects."""
+
+import os
+import sys
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import steps
+
+
+def figures(document):
+    """The numbers of a document that any preference could have changed."""
+    found = {}
+    for item in document.Objects:
+        for name in ("Volume", "Mass", "Length", "Height", "StationSpacing", "Tolerance"):
+            if name in item.PropertiesList:
+                value = getattr(item, name)
+                found[f"{item.Label}.{name}"] = getattr(value, "Value", value)
+        for name in ("RulePack", "Mode", "Project", "Author"):
+            if name in item.PropertiesList:
+                found[f"{item.Label}.{name}"] = getattr(item, name)
+    return found
+
+
+def make_all():
+    """One object of each kind as commands make them; their figures and the recorded lines."""
+    from BendTorsionWB.gui import macro
+
+    document = FreeCAD.newDocument("New")
+    with macro.undo_step(document, "all"):
+        surface = macro.make("make_surface", document, "Ground", "plane")
+        axis = macro.make("make_axis", document, "A1", surface, [(0, 0, 0), (4000, 0, 0)])
+        section = macro.make("make_section", document, "S")
+        member = macro.make("make_member", document, "M1", axis, [section])
+        plates = macro.make("make_plates", document, member)
+        unfold = macro.make("make_unfold", document, plates)
+        macro.make("make_sheets", document, unfold)
+        macro.recompute()
+    console = FreeCADGui.getMainWindow().findChild(QtGui.QPlainTextEdit, "Python console")
+    lines = [line[4:] for line in console.toPlainText().splitlines() if "make.make_" in line]
+    found = figures(document)
+    FreeCAD.closeDocument(document.Name)
+    return {"figures": found, "lines": lines[-7:]}
+
+
+def before():
+    """New objects of a fresh profile, and an existing document."""
+    document = FreeCAD.openDocument(os.environ["BENDTORSION_WINDOW_DOCUMENT"])
+    return {"new": make_all(), "existing": figures(document)}
+
+
+def changed():
+    """Open FreeCAD's preferences at the page, give other values, press OK."""
+    result = {}
+
+    def fill():
+        dialog = QtGui.QApplication.activeModalWidget()
+        page = next(w for w in dialog.findChildren(QtGui.QWidget) if w.objectName() == "Height")
+        result["page"] = page.parent().parent().windowTitle()
+        result["texts"] = [label.text() for label in page.parent().findChildren(QtGui.QLabel)]
+        field = {
+            name: dialog.findChild(QtGui.QWidget, name)
+            for name in ("Height", "StationSpacing", "AxisTolerance", "RulePack", "Author")
+        }
+        result["shown"] = [
+            field[name].property("rawValue")
+            for name in ("Height", "StationSpacing", "AxisTolerance")
+        ]
+        for name, value in (("Height", 750.0), ("StationSpacing", 250.0), ("AxisTolerance", 0.001)):
+            field[name].setProperty("rawValue", value)
+        field["RulePack"].setCurrentIndex(field["RulePack"].findData("EU"))
+        field["Author"].setText("A. Detailer")
+        steps.picture("preferences")
+        dialog.findChild(QtGui.QDialogButtonBox).button(QtGui.QDialogButtonBox.Ok).click()
+
+    QtCore.QTimer.singleShot(1500, fill)
+    FreeCADGui.runCommand("BendTorsion_Preferences")
+    return result
+
+
+def after():
+    """The existing document recomputed and new objects made with the other preferences."""
+    document = next(iter(FreeCAD.listDocuments().values()))
+    for item in document.Objects:
+        item.touch()
+    document.recompute()
+    return {"existing": figures(document), "new": make_all()}
+
+
+steps.run(before, changed, after)

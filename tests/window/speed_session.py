@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs inside FreeCAD's window: seconds of what users wait for (see benchmarks/window.py)."""
+
+import os
+import statistics
+import sys
+import time
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtGui
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import steps
+
+EDITS = 7
+
+
+def spent(action):
+    """Wall and processor seconds of an action and of drawing what it changed."""
+    wall, cpu = time.perf_counter(), time.process_time()
+    action()
+    QtGui.QApplication.processEvents()
+    if FreeCADGui.ActiveDocument is not None:
+        FreeCADGui.ActiveDocument.ActiveView.redraw()
+    return {"wall": time.perf_counter() - wall, "cpu": time.process_time() - cpu}
+
+
+def activation():
+    """What the first opening of the workbench took, before the steps."""
+    return ACTIVATION
+
+
+def edit():
+    """A section's height to values never seen before: the median, and where the time goes."""
+    from BendTorsionWB import make
+    from BendTorsionWB.objects import member, plate_set, section_spec
+
+    parts = {}
+    for kind in (section_spec.SectionSpec, member.Member, plate_set.PlateSet):
+        traced(kind, "execute", f"{kind.TYPE} computed", parts)
+    document = FreeCAD.newDocument("Edit")
+    hall = make.make_surface(document, "Hall", "ellipsoid", a=40000, b=30000, c=20000)
+    xs = (-12000.0, -6000.0, 0.0, 6000.0, 12000.0)
+    points = [
+        (x, 0.3 * x, 20000 * (1 - (x / 40000) ** 2 - (0.3 * x / 30000) ** 2) ** 0.5) for x in xs
+    ]
+    axis = make.make_axis(document, "A1", hall, points)
+    section = make.make_section(document, "B", h=600, b=500, t=16)
+    target = make.make_member(document, "M1", axis, [section])
+    joints = {
+        face: [5000 + k, 10000 + k, 15000 + k, 20000 + k]
+        for k, face in zip((0, 400, 800, 1200), ("top", "bottom", "left", "right"), strict=True)
+    }
+    plates = make.make_plates(document, target, joints)
+    document.recompute()
+    hall.ViewObject.Visibility = target.ViewObject.Visibility = False
+    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    steps.settle()
+    runs = []
+    for k in range(EDITS):
+        section.Height = 620 + 7 * k
+        parts.clear()
+        runs.append(spent(document.recompute) | {"parts": dict(parts)})
+    middle = sorted(runs, key=lambda one: one["cpu"])[EDITS // 2]
+    known = sum(middle["parts"].values())
+    middle["parts"]["display and FreeCAD"] = middle["cpu"] - known
+    middle["wall"] = statistics.median(one["wall"] for one in runs)
+    middle["note"] = f"{plates.PlateCount} plates, median of {EDITS} edits"
+    return middle
+
+
+def traced(kind, name, label, parts):
+    """Add the processor time of a method to parts."""
+    function = getattr(kind, name)
+
+    def timed(self, *given):
+        start = time.process_time()
+        try:
+            return function(self, *given)
+        finally:
+            parts[label] = parts.get(label, 0.0) + time.process_time() - start
+
+    setattr(kind, name, timed)
+
+
+def open_model():
+    """Open a saved model and draw it."""
+    FreeCAD.closeDocument("Edit")
+    path = os.environ["BENDTORSION_WINDOW_MODEL"]
+    result = spent(lambda: (FreeCAD.openDocument(path), FreeCADGui.SendMsgToActiveView("ViewFit")))
+    result["note"] = f"{len(FreeCAD.ActiveDocument.Objects)} objects"
+    return result
+
+
+def turn():
+    """Turn the view of the model: the mean of ten turns."""
+    view = FreeCADGui.ActiveDocument.ActiveView
+    turns = 10
+
+    def around():
+        for k in range(turns):
+            view.viewIsometric() if k % 2 else view.viewFront()
+            view.redraw()
+            QtGui.QApplication.processEvents()
+
+    return {name: value / turns for name, value in spent(around).items()}
+
+
+ACTIVATION = {}
+activate = FreeCADGui.activateWorkbench
+
+
+def timed_activation(name):
+    """The first time the workbench is opened."""
+    found = spent(lambda: activate(name))
+    ACTIVATION.update(ACTIVATION or found)
+
+
+FreeCADGui.activateWorkbench = timed_activation
+steps.run(activation, edit, open_model, turn)

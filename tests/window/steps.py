@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""For scripts that run inside FreeCAD's window: steps in order, pictures, what the window says."""
+
+import json
+import os
+import traceback
+from pathlib import Path
+
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+PAUSE = 60
+
+
+def run(*steps):
+    """Work through the steps once the window is up, write what each returns as JSON, end FreeCAD.
+
+    A step that raises is recorded under its name, so that one broken step does not hide others.
+    """
+    QtCore.QTimer.singleShot(0, lambda: _run(steps))
+
+
+def _run(steps):
+    results = {}
+    try:
+        _arrange_window()
+        # FreeCAD asks in a message box when the workbench cannot be loaded.
+        QtCore.QTimer.singleShot(20000, _refuse_box)
+        FreeCADGui.activateWorkbench("BendTorsionWorkbench")
+        for step in steps:
+            try:
+                results[step.__name__] = step()
+            except Exception:  # noqa: BLE001 - the failure is the result, whatever it was
+                results[step.__name__] = {"failed": traceback.format_exc()}
+        results["report_view"] = report_view()
+        with open(os.environ["BENDTORSION_WINDOW_RESULT"], "w", encoding="utf-8") as file:
+            json.dump(results, file)
+    finally:
+        os._exit(0)
+
+
+def _arrange_window():
+    """The tree and the properties at the left, the 3D view beside them, no consoles."""
+    window = FreeCADGui.getMainWindow()
+    window.showNormal()
+    window.setGeometry(0, 0, 1600, 1000)
+    for dock in window.findChildren(QtGui.QDockWidget):
+        dock.setVisible(dock.objectName() == "Combo View")
+    settle()
+
+
+def _refuse_box():
+    box = QtGui.QApplication.activeModalWidget()
+    if isinstance(box, QtGui.QMessageBox) and box.windowTitle().startswith("Workbench"):
+        box.reject()
+
+
+def settle(times=5):
+    """Let the window catch up with what was done."""
+    for _ in range(times):
+        QtGui.QApplication.processEvents()
+        QtCore.QThread.msleep(PAUSE)
+    QtGui.QApplication.processEvents()
+
+
+def report_view():
+    """The text of the Report view."""
+    return FreeCADGui.getMainWindow().findChild(QtGui.QTextEdit, "Report view").toPlainText()
+
+
+def picture(name):
+    """The window with dialogs before it, as PNG in the folder BENDTORSION_WINDOW_PICTURES."""
+    settle()
+    folder = Path(os.environ["BENDTORSION_WINDOW_PICTURES"])
+    folder.mkdir(parents=True, exist_ok=True)
+    at = FreeCADGui.getMainWindow().frameGeometry()
+    screen = QtGui.QApplication.primaryScreen()
+    shown = screen.grabWindow(0, at.x(), at.y(), at.width(), at.height())
+    shown.save(str(folder / f"{name}.png"))
+
+
+def tree_items():
+    """The texts of the tree with their depth, as they stand."""
+    tree = FreeCADGui.getMainWindow().findChild(QtGui.QTreeWidget)
+    found = []
+
+    def walk(item, depth):
+        found.append((depth, item.text(0)))
+        for k in range(item.childCount()):
+            walk(item.child(k), depth + 1)
+
+    walk(tree.invisibleRootItem(), -1)
+    return found[1:]

@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs inside FreeCAD's window: the tutorial of docs/guide.md, step by step, with its pictures.
+
+The steps are functions in the order of the guide; each leaves the picture the guide shows.
+"""
+
+import os
+import sys
+import time
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import steps
+from hands import asked, field, named, press, run, select, window
+
+FOLDER = os.path.dirname(os.environ["BENDTORSION_WINDOW_RESULT"])
+
+
+def ours(kind):
+    """The objects of a kind in the document."""
+    return [o for o in FreeCAD.ActiveDocument.Objects if getattr(o, "BT_Type", "") == kind]
+
+
+def look(*objects):
+    """Turn the view to the objects, all when none are given."""
+    view = FreeCADGui.ActiveDocument.ActiveView
+    view.viewIsometric()
+    if objects:
+        select(*objects)
+        FreeCADGui.SendMsgToActiveView("ViewSelection")
+        FreeCADGui.Selection.clearSelection()
+    else:
+        FreeCADGui.SendMsgToActiveView("ViewFit")
+    steps.settle()
+
+
+def folded_out(depth):
+    """Open the tree down to a depth below the document."""
+    tree = window().findChild(QtGui.QTreeWidget)
+    tree.expandToDepth(depth)
+    steps.settle()
+
+
+def open_step_file():
+    """1: open the STEP file of the architect."""
+    import ImportGui
+
+    ImportGui.open(os.environ["BENDTORSION_WINDOW_STEP"])
+    steps.settle()
+    look()
+    steps.picture("1-step-file")
+    shapes = [o for o in FreeCAD.ActiveDocument.Objects if hasattr(o, "Shape")]
+    return {o.Label: [len(o.Shape.Faces), len(o.Shape.Edges)] for o in shapes}
+
+
+def members_from_selection():
+    """2: select the roof's face and the three curves, one dialog, members with plates."""
+    roof = FreeCAD.ActiveDocument.Objects[0]
+    border = {edge.hashCode() for edge in roof.Shape.Faces[0].Edges}
+    curves = [
+        f"Edge{number}"
+        for number, edge in enumerate(roof.Shape.Edges, start=1)
+        if edge.hashCode() not in border
+    ]
+    select((roof, "Face1"), *((roof, curve) for curve in curves))
+    result = {"curves": len(curves), "undo_before": FreeCAD.ActiveDocument.UndoCount}
+
+    def answer():
+        dialog = QtGui.QApplication.activeModalWidget()
+        dialog.fields["h"].setProperty("rawValue", 700.0)
+        dialog.fields["b"].setProperty("rawValue", 500.0)
+        dialog.fields["t"].setProperty("rawValue", 14.0)
+        steps.picture("2-members-dialog")
+        result["ok"] = dialog.buttons.button(QtGui.QDialogButtonBox.Ok).isEnabled()
+        dialog.accept()
+
+    QtCore.QTimer.singleShot(800, answer)
+    result["shown"] = run("MembersFromSelection")
+    result["undo_after"] = FreeCAD.ActiveDocument.UndoCount
+    roof.ViewObject.Visibility = False
+    look()
+    folded_out(1)
+    steps.picture("3-members")
+    result["members"] = [member.Label for member in ours("Member")]
+    result["plates"] = [plates.PlateCount for plates in ours("PlateSet")]
+    return result
+
+
+def edit_section():
+    """3: double-click the section, give another height, see the members follow."""
+    section = ours("SectionSpec")[0]
+    before = [plates.Mass for plates in ours("PlateSet")]
+    FreeCADGui.getDocument(FreeCAD.ActiveDocument.Name).setEdit(section.Name)
+    steps.settle()
+    height = field("Height")
+    height.setProperty("rawValue", 600.0)
+    start = time.process_time()
+    steps.settle(10)
+    spent = time.process_time() - start
+    steps.picture("4-edit-section")
+    press("Ok")
+    after = [plates.Mass for plates in ours("PlateSet")]
+    return {"before": before, "after": after, "height": section.Height.Value, "seconds": spent}
+
+
+def joints():
+    """4: the split editor: two joints in the top face, one in the bottom face."""
+    plates = named("M1 plates")
+    plates.JointsTop, plates.JointsBottom = [0.35, 0.7], [0.5]
+    FreeCAD.ActiveDocument.recompute()
+    select(plates)
+    shown = run("Splits")
+    steps.picture("5-split-editor")
+    press("Ok")
+    FreeCADGui.Selection.clearSelection()
+    return {"shown": shown, "plates": plates.PlateCount, "status": plates.Status}
+
+
+def marks():
+    """5: marks of the plates, and what they are coloured by."""
+    plates = named("M1 plates")
+    select(plates)
+    shown = run("ShowMarks")
+    with asked(choice="strain"):
+        shown += run("ColourBy")
+    look(plates)
+    steps.picture("6-marks-and-colours")
+    select(plates)
+    shown += run("ShowMarks")
+    with asked(choice="none"):
+        shown += run("ColourBy")
+    return {"shown": shown, "colour": plates.ColourBy}
+
+
+def development():
+    """6: flat patterns of all members."""
+    select(*ours("Member"))
+    shown = run("Development")
+    for item in (*ours("PlateSet"), *ours("Axis"), *ours("Surface")):
+        item.ViewObject.Visibility = False
+    for item in ours("Unfold")[1:]:
+        item.ViewObject.Visibility = False
+    FreeCADGui.ActiveDocument.ActiveView.viewTop()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    steps.picture("7-development")
+    unfolds = ours("Unfold")
+    return {
+        "shown": shown,
+        "patterns": [len(unfold.Shape.Faces) for unfold in unfolds],
+        "errors": [unfold.LengthErrorMax for unfold in unfolds],
+        "statuses": [unfold.Status for unfold in unfolds],
+    }
+
+
+def sheets():
+    """7: drawing sheets; the first page of the first member."""
+    FreeCADGui.Selection.clearSelection()
+    shown = run("Sheets")
+    pages = [o for o in FreeCAD.ActiveDocument.Objects if o.isDerivedFrom("TechDraw::DrawPage")]
+    pages[0].ViewObject.doubleClicked()
+    steps.settle(15)
+    folded_out(3)
+    steps.picture("8-sheet")
+    return {
+        "shown": shown,
+        "tree": steps.tree_items(),
+        "pages": [item.PageCount for item in ours("SheetSet")],
+    }
+
+
+def check():
+    """8: everything that is found, in a list."""
+    for view in window().findChildren(QtGui.QMdiSubWindow):
+        if "sheets" not in view.windowTitle():
+            view.setFocus()
+    for item in (*ours("PlateSet"), *ours("Surface")):
+        item.ViewObject.Visibility = True
+    for item in ours("Unfold"):
+        item.ViewObject.Visibility = False
+    area = window().findChild(QtGui.QMdiArea)
+    area.setActiveSubWindow(area.subWindowList()[0])
+    look()
+    shown = run("Check")
+    steps.picture("9-check")
+    errors = [o.Label for o in FreeCAD.ActiveDocument.Objects if getattr(o, "Status", "ok") != "ok"]
+    return {"shown": shown, "errors": errors}
+
+
+def export():
+    """9: everything for the shop in one folder."""
+    package = os.path.join(FOLDER, "package")
+    with asked(folder=package):
+        shown = run("ExportPackage")
+    marks = [mark for plates in ours("PlateSet") for mark in plates.Marks]
+    cut = sorted(os.listdir(os.path.join(package, "plates")))
+    return {
+        "shown": shown,
+        "files": sorted(os.listdir(package)),
+        "cut": [name for name in cut if name.endswith(".dxf")],
+        "sheets": sorted(os.listdir(os.path.join(package, "sheets"))),
+        "marks": sorted(marks),
+    }
+
+
+steps.run(
+    *(open_step_file, members_from_selection, edit_section, joints, marks),
+    *(development, sheets, check, export),
+)

@@ -1,0 +1,220 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs inside FreeCAD's window: how objects of a document saved without a window show."""
+
+import os
+import sys
+import time
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtGui
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import steps
+
+
+def ours(kind):
+    """The objects of a kind in the active document."""
+    document = FreeCAD.ActiveDocument
+    return [item for item in document.Objects if getattr(item, "BT_Type", "") == kind]
+
+
+def by_label(label):
+    """The object with this label."""
+    return FreeCAD.ActiveDocument.getObjectsByLabel(label)[0]
+
+
+def texts(obj):
+    """The texts shown beside the shape of an object."""
+    from pivy import coin
+
+    found = []
+    search = coin.SoSearchAction()
+    search.setType(coin.SoType.fromName("SoFrameLabel"))
+    search.setInterest(coin.SoSearchAction.ALL)
+    search.apply(obj.ViewObject.RootNode)
+    for path in search.getPaths():
+        found.append(path.getTail().getField("string").get().getString().strip('"'))
+    return found
+
+
+def shapes_beside(obj, kind):
+    """How many nodes of a kind the view of an object has."""
+    from pivy import coin
+
+    search = coin.SoSearchAction()
+    search.setType(coin.SoType.fromName(kind))
+    search.setInterest(coin.SoSearchAction.ALL)
+    search.apply(obj.ViewObject.RootNode)
+    return search.getPaths().getLength()
+
+
+def has_legend():
+    """Breadth and height of the legend's picture in the view; none when there is no legend."""
+    from pivy import coin
+
+    steps.settle()
+    scene = FreeCADGui.ActiveDocument.ActiveView.getSceneGraph()
+    found = [c for c in scene.getChildren() if c.getName().getString() == "BendTorsionLegend"]
+    search = coin.SoSearchAction()
+    search.setType(coin.SoImage.getClassTypeId())
+    sizes = []
+    for node in found:
+        search.apply(node)
+        written = search.getPath().getTail().image.get().getString()
+        sizes.append([int(number) for number in written[:40].split()[:2]])
+    return sizes
+
+
+def icon_key(obj):
+    """The picture of an object's icon as the tree shows it."""
+    icon = obj.ViewObject.Proxy.getIcon()
+    return icon.pixmap(32, 32).toImage().cacheKey(), icon.cacheKey()
+
+
+def saved_without_window():
+    """Open the document: what is shown, what is folded under what, the legend."""
+    FreeCAD.openDocument(os.environ["BENDTORSION_WINDOW_DOCUMENT"])
+    steps.settle()
+    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    items = FreeCAD.ActiveDocument.Objects
+    mine = [item for item in items if hasattr(item, "BT_Type") and item.BT_Type != "PageSymbol"]
+    result = {
+        "providers": sorted({type(item.ViewObject.Proxy).__name__ for item in mine}),
+        "visible": {item.Label: item.ViewObject.Visibility for item in mine},
+        "tree": steps.tree_items(),
+        "legend": has_legend(),
+        "bounds": list(ours("PlateSet")[0].ViewObject.getBoundingBox().Center),
+    }
+    steps.picture("view_colours")
+    return result
+
+
+def labels():
+    """Marks and points of one member, switched on and off, hidden with the plates."""
+    plates = by_label("M1 plates")
+    plates.ColourBy = "none"
+    FreeCAD.ActiveDocument.recompute()
+    view = plates.ViewObject
+    result = {"before": texts(plates), "wanted": list(plates.Marks)}
+    view.ShowMarks = True
+    result["marks"] = texts(plates)
+    steps.picture("view_marks")
+    view.ShowPoints = True
+    result["points"] = texts(plates)
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
+    FreeCADGui.Selection.addSelection(FreeCAD.ActiveDocument.Name, plates.Name, "Face1")
+    FreeCADGui.SendMsgToActiveView("ViewSelection")
+    FreeCADGui.Selection.clearSelection()
+    steps.picture("view_points")
+    view.Visibility = False
+    result["hidden"] = texts(plates)
+    view.Visibility = True
+    view.ShowMarks = view.ShowPoints = False
+    result["after"] = texts(plates)
+    return result
+
+
+def frames():
+    """The ribbon of an axis that bends, and its height by the property."""
+    axis = by_label("A1")
+    result = {"shown_before": axis.ViewObject.Visibility}
+    axis.ViewObject.Visibility = True
+    result["before"] = shapes_beside(axis, "TriangleStripSet")
+    axis.ViewObject.ShowFrames = True
+    result["ribbons"] = shapes_beside(axis, "TriangleStripSet")
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    steps.picture("view_frames")
+    axis.ViewObject.ShowFrames = False
+    result["after"] = shapes_beside(axis, "TriangleStripSet")
+    return result
+
+
+def modes():
+    """Plates, skin and axis of both members in turn."""
+    from BendTorsionWB.gui import member_display
+
+    members = ours("Member")
+    result = {}
+    for mode in member_display.MODES:
+        member_display.show_as(members, mode)
+        steps.settle()
+        result[mode] = [
+            {
+                "mode": member_display.mode_of(member),
+                "member": member.ViewObject.Visibility,
+                "axis": member.Axis.ViewObject.Visibility,
+                "plates": [
+                    user.ViewObject.Visibility
+                    for user in member.InList
+                    if getattr(user, "BT_Type", "") == "PlateSet"
+                ],
+            }
+            for member in members
+        ]
+    member_display.show_as(members, "plates")
+    return result
+
+
+def errors():
+    """A section that cannot be, then mended: icons, visibility, status bar, report view."""
+    from BendTorsionWB.gui import tree
+
+    section, plates, member = by_label("B"), by_label("M1 plates"), by_label("M1")
+    before = steps.report_view()
+    result = {
+        "icons_before": [icon_key(item)[1] for item in (section, plates, member)],
+        "worst_before": [tree.worst(item) for item in (section, plates, member)],
+    }
+    section.Thickness = 400.0
+    FreeCAD.ActiveDocument.recompute()
+    steps.settle()
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(FreeCAD.ActiveDocument.Name, plates.Name)
+    result["status_bar"] = FreeCADGui.getMainWindow().statusBar().currentMessage()
+    FreeCADGui.Selection.clearSelection()
+    result["status"] = plates.Status
+    result["worst"] = [tree.worst(item) for item in (section, plates, member)]
+    result["icons"] = [icon_key(item)[1] for item in (section, plates, member)]
+    result["visible"] = plates.ViewObject.Visibility, plates.ViewObject.isVisible()
+    FreeCADGui.runCommand("Std_TreeExpand")
+    steps.picture("view_error")
+    section.Thickness = 16.0
+    FreeCAD.ActiveDocument.recompute()
+    steps.settle()
+    result["icons_after"] = [icon_key(item)[1] for item in (section, plates, member)]
+    result["visible_after"] = plates.ViewObject.Visibility, plates.ViewObject.isVisible()
+    result["said"] = steps.report_view()[len(before) :]
+    return result
+
+
+def warnings():
+    """A joint too close to another is a warning: the badge is on the plates and on the member."""
+    from BendTorsionWB.gui import tree
+
+    plates, member = by_label("M2 plates"), by_label("M2")
+    plates.JointsTop, plates.JointsLeft = [0.5], [0.5]
+    FreeCAD.ActiveDocument.recompute()
+    steps.settle()
+    steps.picture("view_warning")
+    return {"worst": [tree.worst(plates), tree.worst(member)], "status": plates.Status}
+
+
+def speed():
+    """Seconds of processor time to show and orbit everything with all labels on."""
+    for plates in ours("PlateSet"):
+        plates.ViewObject.ShowMarks = plates.ViewObject.ShowPoints = True
+    steps.settle()
+    view = FreeCADGui.ActiveDocument.ActiveView
+    start = time.process_time()
+    for turn in range(10):
+        view.viewIsometric() if turn % 2 else view.viewTop()
+        view.redraw()
+        QtGui.QApplication.processEvents()
+    spent = (time.process_time() - start) / 10
+    return {"labels": sum(len(texts(item)) for item in ours("PlateSet")), "frame": spent}
+
+
+steps.run(saved_without_window, labels, frames, modes, errors, warnings, speed)
