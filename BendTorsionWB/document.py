@@ -294,6 +294,6 @@ def _make_plates(
     if sheets:
         from BendTorsionWB.objects import sheet
 
-        sheets = make.make_sheets(document, unfold, bed=bed)
+        sheets = make.make_sheets(document, unfold, bed=bed, plate_pages=False)
         sheet.set_style(sheets, settings.sheet_style)
     return plates

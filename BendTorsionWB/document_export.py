@@ -45,8 +45,8 @@ from BendTorsionWB.project import (
     write_member_files,
     write_reports,
 )
-from BendTorsionWB.solid_files import write_ifc, write_step
 from BendTorsionWB.sheet_files import write_sheet_set
+from BendTorsionWB.solid_files import write_ifc, write_step
 
 
 @dataclass(frozen=True)
@@ -216,9 +216,7 @@ def export_document(
             with timing.stage("package"):
                 behind = Background(strain=_strain_maps(document))
                 keys = list(given.keys.values())
-                write_package(
-                    folder, records, given.findings, keys, given.titles, behind, executor
-                )
+                write_package(folder, records, given.findings, keys, given.titles, behind, executor)
     finally:
         FreeCAD.closeDocument(document.Name)
     with timing.stage("results"):

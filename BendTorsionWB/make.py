@@ -252,8 +252,9 @@ def make_plates(
 
     lanes: face -> seams that divide it along, ratios or mm of its width, or `auto`. nodes: places
     on the axis joints keep clear of, mm.
-    diaphragms, openings, marks, pieces, edges: rows as on the schedule's sheets, column -> value, such as
-    {"s": 3000, "t": 16, "gap": 2, "manhole": "d=400"}; a material is `name, density, E, fy`.
+    diaphragms, openings, marks, pieces, edges: rows as on the schedule's sheets, column -> value,
+    such as {"s": 3000, "t": 16, "gap": 2, "manhole": "d=400"}; a material is `name, density, E,
+    fy`.
     """
     obj = _new(document, "Part::FeaturePython", f"{member.Label} plates", plates_object.PlateSet)
     obj.Member = member
@@ -375,15 +376,17 @@ def make_sheets(
     standard: str = "ISO",
     language: str = "en",
     unit: str = "mm",
+    plate_pages: bool = True,
 ):
     """The drawing sheets of a member, with those of its AssemblyBed when there is one; their pages
     are made and kept by recompute. format: `A4` ... `A1`, `ARCH A` ... `ARCH D`; standard: `ISO`,
-    `AWS`; language: `en`, `zh`; unit: `mm`, `ft-in`."""
+    `AWS`; language: `en`, `zh`; unit: `mm`, `ft-in`; plate_pages: False leaves the plates out."""
     name = unfold.Label.replace("patterns", "sheets")
     obj = _new(document, "App::FeaturePython", name, sheet_object.SheetSet)
     obj.Unfold, obj.Project, obj.Author, obj.Bed = unfold, project, author, bed
     obj.SheetFormat, obj.SheetStandard = format, standard
     obj.SheetLanguage, obj.SheetUnit = language, unit
+    obj.PlatePages = plate_pages
     return obj
 
 

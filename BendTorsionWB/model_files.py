@@ -32,9 +32,9 @@ PLATES_GROUP = "Plates"
 @dataclass(frozen=True)
 class Wanted:
     """What of a project is written. model: document, STEP and IFC; sheets: drawing sheets, as PDF
-    and in the document; split: members per document of the model, 0 for one document of all; update:
-    documents that are there are brought up to the schedule instead of made anew; svg: sheets as SVG
-    as well."""
+    and in the document; split: members per document of the model, 0 for one document of all;
+    update: documents that are there are brought up to the schedule instead of made anew; svg:
+    sheets as SVG as well."""
 
     model: bool = True
     sheets: bool = True

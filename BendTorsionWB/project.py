@@ -46,9 +46,9 @@ from BendTorsionWB.member_files import (
     start_all,
     written,
 )
-from BendTorsionWB.sheet_files import write_sheet_set
 from BendTorsionWB.model_files import Wanted, write_model
 from BendTorsionWB.package_files import background_of, write_package
+from BendTorsionWB.sheet_files import write_sheet_set
 from BendTorsionWB.source_files import read_files
 
 RESULTS, REPORT, TIMING = "results.xlsx", "report.json", "timing.json"
@@ -211,9 +211,9 @@ def build(
     What is there already and made from the same input is left as it is. workers: processes of a
     pool of its own; executor: any other to use instead; removing: with wanted.update, whether
     objects go whose rows are gone from the schedule; statuses: of plates in the shop, besides
-    those of the schedule; force: into the folder of another project as well. Raises BendTorsionError, with nothing written, for an invalid schedule
-    (geometry decidable from it included). Members in error keep no files; healthy ones are
-    written whole.
+    those of the schedule; force: into the folder of another project as well. Raises
+    BendTorsionError, with nothing written, for an invalid schedule (geometry decidable from it
+    included). Members in error keep no files; healthy ones are written whole.
     """
     timing = Timing()
     out = Path(out)

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Makes the pictures of docs/nodes.md: docs/images/nodes.png and node_pattern.svg.
+"""Makes the pictures of docs/nodes.md: docs/images/nodes.png, node_pattern.svg and
+node_sheet.png (with pdftoppm).
 
 Run with plain Python, /usr/bin/python3 docs/make_node_pictures.py.
 """
 
 from __future__ import annotations
 
+import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import make_member_pictures as pictures
@@ -31,9 +34,12 @@ from BendTorsionWB.core.node_jobs import jobs_with_nodes  # noqa: E402
 from BendTorsionWB.core.pattern import develop_plate  # noqa: E402
 from BendTorsionWB.core.section import box  # noqa: E402
 from BendTorsionWB.core.segment import Segment  # noqa: E402
+from BendTorsionWB.core.sheet_node import node_sheets  # noqa: E402
+from BendTorsionWB.core.sheet_style import SheetStyle  # noqa: E402
 from BendTorsionWB.core.surface import analytic_surface  # noqa: E402
 from BendTorsionWB.shapes import cut_solid  # noqa: E402
 from BendTorsionWB.shapes.flat_solid import flat_solid  # noqa: E402
+from BendTorsionWB.sheets.pdf import write_pdf  # noqa: E402
 
 PLANE = analytic_surface("plane", {})
 BIG, LOW, SMALL = (
@@ -195,6 +201,23 @@ def pattern() -> None:
     (pictures.IMAGES / "node_pattern.svg").write_text("\n".join([*text, "</svg>", ""]))
 
 
+def sheet() -> None:
+    """The drawing of a crossing with a stub."""
+    crossing = (
+        ("X", (-2600, 0, 0), (2600, 0, 0), BIG),
+        ("Y", at(60, -2600), at(60, 2600), LOW),
+    )
+    jobs = {item[0]: job(*item) for item in crossing}
+    row = NodeInput("X", "Y", type="stub", stub_length=900.0)
+    made, _ = jobs_with_nodes(jobs, {"X": 1, "Y": 2}, (row,), SHORT)
+    records = [detailing.detail(one).record for one in made.values()]
+    with tempfile.TemporaryDirectory() as folder:
+        write_pdf(node_sheets(records, SheetStyle("Two beams")), Path(folder) / "nodes.pdf")
+        pdf, picture = f"{folder}/nodes.pdf", pictures.IMAGES / "node_sheet"
+        looks = ["-r", "75", "-png", "-gray", "-singlefile"]
+        subprocess.run(["pdftoppm", *looks, pdf, picture], check=True)
+
+
 def _line(points, size, style) -> str:
     shown = " ".join(f"{x:.2f},{size[1] - y:.2f}" for x, y in points)
     return f'<polyline points="{shown}" fill="none" {style}/>'
@@ -204,3 +227,4 @@ if __name__ == "__main__":
     application = QtGui.QGuiApplication([])
     nodes()
     pattern()
+    sheet()

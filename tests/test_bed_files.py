@@ -155,9 +155,15 @@ def test_nothing_overlaps_on_the_bed_plan(spacing, face):
     boxes = [text_box(text) for text in page.texts]
     for k, box in enumerate(boxes):
         assert not any(boxes_overlap(box, other) for other in boxes[k + 1 :])
-        assert (box[:, 0] >= PLAIN_STYLE.page.frame[0]).all() and (box[:, 0] <= PLAIN_STYLE.page.frame[2]).all()
+        assert (box[:, 0] >= PLAIN_STYLE.page.frame[0]).all() and (
+            box[:, 0] <= PLAIN_STYLE.page.frame[2]
+        ).all()
     title = np.array(
-        [(x, y) for x in (PLAIN_STYLE.page.title_block[0], PLAIN_STYLE.page.title_block[2]) for y in (PLAIN_STYLE.page.title_block[1], PLAIN_STYLE.page.title_block[3])]
+        [
+            (x, y)
+            for x in (PLAIN_STYLE.page.title_block[0], PLAIN_STYLE.page.title_block[2])
+            for y in (PLAIN_STYLE.page.title_block[1], PLAIN_STYLE.page.title_block[3])
+        ]
     )[[0, 1, 3, 2]]
     tables = [
         np.array(

@@ -422,7 +422,9 @@ def test_step_has_an_assembly_per_member_of_pieces(document, tmp_path):
     for mark, piece in zip(plates.Marks, plates.MarkPieces, strict=True):
         assert (names.index(mark) > pieces["M1-P2"]) == (piece == 2)
     assert len(Part.read(str(tmp_path / "m.step")).Solids) == 8
-    assert [o.Name for o in FreeCAD.listDocuments().values() if o.Name.startswith("assemblies")] == []
+    assert [
+        o.Name for o in FreeCAD.listDocuments().values() if o.Name.startswith("assemblies")
+    ] == []
 
 
 def test_a_face_of_any_object_cuts_a_member_and_follows_it(document):

@@ -112,7 +112,7 @@ def test_nothing_is_in_error_and_the_package_is_complete(tutorial):
     found = tutorial["export"]
     assert found["cut"] == [f"{mark}.dxf" for mark in found["marks"]]
     assert {"M1.pdf", "M2.pdf", "M3.pdf"} <= set(found["sheets"])
-    assert {"model.FCStd", "model.step", "results.xlsx", "report.json"} <= set(found["files"])
+    assert {"model.step", "nc1", "results.xlsx", "report.json"} <= set(found["files"])
 
 
 def test_no_exception_in_the_report_view(tutorial):

@@ -79,6 +79,14 @@ def test_one_tree_node_per_member(window):
     assert [text for text in tree if text.startswith("M")] == ["M5", "M6", "M7"]
 
 
+def test_what_a_command_adds_is_folded_under_its_member(window):
+    """Though OK makes it anew."""
+    tree = [text for _, text in sorted(map(tuple, step(window, "folded")["tree"]))]
+    depths = [depth for depth, _ in step(window, "folded")["tree"]]
+    assert tree == ["M1", "M1 plates", "M1 patterns"]
+    assert depths == [depths[0], depths[0] + 1, depths[0] + 2]
+
+
 def test_the_recorded_macro_makes_the_same_again(window):
     """The lines of the Python console, run in a document with the same shapes."""
     seen = step(window, "members")

@@ -236,9 +236,7 @@ def record_of(plates: MemberPlates, given: PatternInput = PLAIN) -> MemberRecord
         member.name, developed, member.law.strips, rows, plates.given.welds
     )
     findings += weld_findings
-    developed = with_bevels(
-        developed, welds, plates.given.welds.bevel_step, given.contour
-    )
+    developed = with_bevels(developed, welds, plates.given.welds.bevel_step, given.contour)
     sections = []
     for section in member.law.sections:
         if not sections or sections[-1] != section.title:

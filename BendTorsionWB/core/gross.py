@@ -127,10 +127,16 @@ def _with_gross(plate, given, reach, closed, diaphragms, green) -> DevelopedPlat
         )
     ]
     scale_u = 1.0 + 1e-3 * given.shrinkage_along + spread / plate.length
-    scale_v = 1.0 + 1e-3 * given.shrinkage_across + across / plate.width
+    scale_v = 1.0 + 1e-3 * given.shrinkage_across + across / _mean_width(plate)
     if scale_u == scale_v == 1.0 and not any(ends):
         return plate
     return replace(plate, gross=gross_pattern(plate, scale_u, scale_v, *ends))
+
+
+def _mean_width(plate: DevelopedPlate) -> float:
+    """Mean width along the lines, mm: seams shrink the strip, which is narrower than the pattern
+    of a plate with a bow."""
+    return sum(line.length_flat for line in plate.lines) / len(plate.lines)
 
 
 def gross_pattern(

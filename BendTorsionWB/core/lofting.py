@@ -194,9 +194,9 @@ class DevelopedPlate:
     kind. centre_of_gravity: (3,) model, of the plate as formed; painted_area: of what is seen from
     outside (`mass.painted_areas`); None where they do not exist. area, mass and volume are without
     the holes. quantity: plates of the same part; opposite_hand: the part that is its mirror image.
-    chamfers: at the start and the end, machined after cutting; the pattern knows nothing of them. Flat parts
-    have no lines, panels and errors. bevels: of its sides; contour: the face that cut files draw
-    (`bevels.CONTOURS`).
+    chamfers: at the start and the end, machined after cutting; the pattern knows nothing of them.
+    Flat parts have no lines, panels and errors. bevels: of its sides; contour: the face that cut
+    files draw (`bevels.CONTOURS`).
     """
 
     member: str

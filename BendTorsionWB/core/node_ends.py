@@ -20,7 +20,8 @@ JOINED = 40.0
 BEYOND = 100.0
 """mm a plate may end farther from the node than both sections reach."""
 NEAREST = 4
-"""Quads of a face whose centres are nearest to a point, of which the nearest one is looked for."""
+"""Stations that the polynomial through an edge takes."""
+NEWTON_STEPS = 5
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,18 +63,6 @@ def ring(plate: DevelopedPlate) -> np.ndarray:
     flat = np.column_stack([flat, np.zeros(len(flat)), np.ones(len(flat))])
     space = flat @ (np.linalg.inv(plate.placing) @ plate.flat_to_placing).T
     return space[[*range(len(space)), 0], :3]
-
-
-def outward(lines: np.ndarray, middle: np.ndarray) -> np.ndarray:
-    """Unit normals (n - 1, 2, 3) of the quads between lines (n, 2, 3), at their first and second
-    edge, away from a point."""
-    across = 0.5 * (lines[1:] + lines[:-1])
-    across = across[:, 1] - across[:, 0]
-    normal = np.cross(lines[1:] - lines[:-1], across[:, None])
-    normal = normal / np.linalg.norm(normal, axis=2)[..., None]
-    centre = 0.25 * (lines[1:] + lines[:-1]).sum(axis=1)
-    away = ((centre - middle) * normal.mean(axis=1)).sum(axis=1)
-    return normal * np.where(away < 0.0, -1.0, 1.0)[:, None, None]
 
 
 def middle_at(record: MemberRecord, point: np.ndarray) -> np.ndarray:
@@ -122,12 +111,11 @@ def plate_ends(
     near = (reach(through) + reach(branch)) / math.sin(node.angle) + BEYOND
     plates = [p for p in branch.plates if p.lines and _near(p, node.s_other, near)]
     lines = {plate.mark: arris(plate) for plate in plates}
-    faces = []
-    for plate in through.plates:
-        if plate.lines and _near(plate, node.s_through, near):
-            own = arris(plate)
-            inside = middle_at(through, own[len(own) // 2].mean(axis=0))
-            faces.append((plate.face, own, outward(own, inside)))
+    faces = [
+        (p.face, _rails(p, node.s_through))
+        for p in through.plates
+        if p.lines and _near(p, node.s_through, near)
+    ]
     found = []
     for plate in plates:
         own = lines[plate.mark]
@@ -143,12 +131,13 @@ def plate_ends(
             ]
             if any(np.linalg.norm(other - middle) < JOINED for other in others):
                 continue
+            rails, last = _rails(plate, s), -1 if way < 0 else 0
+            feet = [(float(rails[0][last, k]), float(k)) for k in (0, 1)]
             inside = middle_at(branch, inner.mean(axis=0))
-            quad = np.stack([inner, corners] if way < 0 else [corners, inner])
-            normal = outward(quad, inside)[0]
-            names, seats = zip(*(_face_at(point, faces) for point in corners), strict=True)
+            normal = np.array([_away(rails, *foot, inside) for foot in feet])
+            names, seats = zip(*(_face_at(point, faces, through) for point in corners), strict=True)
             bevel = np.arcsin((normal * np.array(seats)).sum(axis=1).clip(-1.0, 1.0))
-            line = plate.lines[-1 if way < 0 else 0]
+            line = plate.lines[last]
             found.append(
                 PlateEnd(
                     plate,
@@ -168,36 +157,76 @@ def _near(plate: DevelopedPlate, s: float, reach: float) -> bool:
     return plate.lines[0].s < s + reach and plate.lines[-1].s > s - reach
 
 
-def _face_at(point: np.ndarray, faces) -> tuple[str, np.ndarray]:
+def _rails(plate: DevelopedPlate, s: float) -> tuple[np.ndarray, np.ndarray]:
+    """Arc lengths (n, 2) and points (n, 2, 3) of a plate's outer edges on the smooth stretch
+    between folds that holds s."""
+    own: dict[str, list[float]] = {}
+    for point in plate.points:
+        if point.kind == "arris":
+            own.setdefault(point.line, []).append(point.s)
+    places = np.array([own[line.label] for line in plate.lines if len(own[line.label]) == 2])
+    low = max((fold.s for fold in plate.folds if fold.s <= s), default=-math.inf)
+    high = min((fold.s for fold in plate.folds if fold.s > s), default=math.inf)
+    middle = places.mean(axis=1)
+    kept = (middle > low - 1.0) & (middle < high + 1.0)
+    kept = kept if kept.sum() > 1 else np.full(len(kept), True)
+    return places[kept], arris(plate)[kept]
+
+
+def _edge(s: np.ndarray, points: np.ndarray, at: float) -> tuple[np.ndarray, np.ndarray]:
+    """Point (3,) and derivative (3,) at a place of a curve through points (n, 3) at s (n,), by
+    the polynomial through the nearest of them."""
+    _, apart = np.unique(np.round(s), return_index=True)
+    s, points = s[apart], points[apart]
+    order = np.argsort(np.abs(s - at), kind="stable")[:NEAREST]
+    scale = max(float(np.ptp(s[order])), 1.0)
+    powers = ((s[order] - at) / scale)[:, None] ** np.arange(len(order))
+    found = np.linalg.solve(powers, points[order])
+    return found[0], found[1] / scale
+
+
+def _ruling(rails, s: float) -> tuple[np.ndarray, np.ndarray]:
+    """Points and derivatives (2, 3) of both edges at s."""
+    both = [_edge(rails[0][:, k], rails[1][:, k], s) for k in (0, 1)]
+    return np.array([both[0][0], both[1][0]]), np.array([both[0][1], both[1][1]])
+
+
+def _away(rails, s: float, w: float, inside: np.ndarray) -> np.ndarray:
+    """Unit normal (3,) of the surface ruled between the edges at (s, w), away from a point."""
+    ends, rates = _ruling(rails, s)
+    across = ends[1] - ends[0]
+    normal = np.cross(rates[0] + w * (rates[1] - rates[0]), across)
+    normal = normal / np.linalg.norm(normal)
+    outwards = ((ends[0] + w * across - inside) * normal).sum()
+    return -normal if outwards < 0.0 else normal
+
+
+def _face_at(point: np.ndarray, faces, through: MemberRecord) -> tuple[str, np.ndarray]:
     """The name of the face whose surface lies nearest to a point, and its unit normal there."""
-    best = (math.inf, "", np.zeros(3))
-    for name, lines, normals in faces:
-        centre = 0.25 * (lines[1:] + lines[:-1]).sum(axis=1)
-        order = np.argsort(((centre - point) ** 2).sum(axis=1))[:NEAREST]
-        for k in order.tolist():
-            distance, u, w = _foot(lines[k], lines[k + 1], point)
-            if distance < best[0]:
-                normal = _normal(lines[k], lines[k + 1], u, w)
-                up = normal if normal @ normals[k].mean(axis=0) > 0.0 else -normal
-                best = (distance, name, up)
-    return best[1], best[2]
+    best = (math.inf, "", None, 0.0, 0.0)
+    for name, rails in faces:
+        distance, s, w = _foot(rails, point)
+        if distance < best[0]:
+            best = (distance, name, rails, s, w)
+    _, name, rails, s, w = best
+    return name, _away(rails, s, w, middle_at(through, point))
 
 
-def _foot(a: np.ndarray, b: np.ndarray, point: np.ndarray) -> tuple[float, float, float]:
-    """Distance of a point from the bilinear quad between lines a and b (2, 3), and where."""
-    u = w = 0.5
-    for _ in range(6):
-        along = (1 - w) * (b[0] - a[0]) + w * (b[1] - a[1])
-        across = (1 - u) * (a[1] - a[0]) + u * (b[1] - b[0])
-        off = point - ((1 - w) * ((1 - u) * a[0] + u * b[0]) + w * ((1 - u) * a[1] + u * b[1]))
-        du, dw = np.linalg.lstsq(np.column_stack([along, across]), off, rcond=None)[0]
-        u, w = min(max(u + du, 0.0), 1.0), min(max(w + dw, 0.0), 1.0)
-    off = point - ((1 - w) * ((1 - u) * a[0] + u * b[0]) + w * ((1 - u) * a[1] + u * b[1]))
-    return float(np.linalg.norm(off)), u, w
-
-
-def _normal(a: np.ndarray, b: np.ndarray, u: float, w: float) -> np.ndarray:
-    along = (1 - w) * (b[0] - a[0]) + w * (b[1] - a[1])
-    across = (1 - u) * (a[1] - a[0]) + u * (b[1] - b[0])
-    normal = np.cross(along, across)
-    return normal / np.linalg.norm(normal)
+def _foot(rails, point: np.ndarray) -> tuple[float, float, float]:
+    """Distance of a point from the surface ruled between the edges, and (s, w) of its foot."""
+    middle = rails[1].mean(axis=1)
+    s = float(rails[0][int(np.argmin(((middle - point) ** 2).sum(axis=1)))].mean())
+    w, low, high = 0.5, float(rails[0].min()), float(rails[0].max())
+    for _ in range(NEWTON_STEPS):
+        ends, rates = _ruling(rails, s)
+        across, along = ends[1] - ends[0], rates[0] + w * (rates[1] - rates[0])
+        off = point - ends[0] - w * across
+        aa, ab, bb = (along * along).sum(), (along * across).sum(), (across * across).sum()
+        ao, bo = (along * off).sum(), (across * off).sum()
+        determinant = aa * bb - ab * ab
+        s += float((ao * bb - bo * ab) / determinant)
+        w += float((bo * aa - ao * ab) / determinant)
+        s, w = min(max(s, low), high), min(max(w, 0.0), 1.0)
+    ends, _ = _ruling(rails, s)
+    off = point - ends[0] - w * (ends[1] - ends[0])
+    return float(np.sqrt((off * off).sum())), s, w

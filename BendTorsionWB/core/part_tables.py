@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Diaphragms, openings, marks, pieces and welds as rows of tables: the words and numbers of one row, read.
+"""Diaphragms, openings, marks, pieces and welds as rows of tables: the words of one row, read.
 
 Schedules and document objects hold such rows and read them here, so that both mean the same.
 """

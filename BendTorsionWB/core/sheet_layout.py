@@ -31,13 +31,16 @@ from .sheet_style import PLAIN_STYLE, SheetStyle
 from .sheet_tables import Listing, listing_pages
 
 
-def member_sheets(record: MemberRecord, style: SheetStyle = PLAIN_STYLE) -> tuple[Sheet, ...]:
-    """All sheets of one member; a record in error gives the one sheet that says so."""
+def member_sheets(
+    record: MemberRecord, style: SheetStyle = PLAIN_STYLE, with_plates: bool = True
+) -> tuple[Sheet, ...]:
+    """All sheets of one member: assemblies, beds, then the plates unless they are left out; a
+    record in error gives the one sheet that says so."""
     if has_error(record.findings):
         pages = [_error_page(record, style)]
     else:
-        pages = [*_assemblies(record, style), *plate_pages(record, style)]
-        pages += _bed_pages(record, style)
+        pages = [*_assemblies(record, style), *_bed_pages(record, style)]
+        pages += plate_pages(record, style) if with_plates else []
     subject = subject_of(record)
     return tuple(
         finished(page, subject, style, number, len(pages))

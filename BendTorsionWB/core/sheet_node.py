@@ -30,10 +30,10 @@ DIAPHRAGMS = ("diaphragm", "t", "length", "width", "mass, kg")
 WELDS = ("weld", "plates", "length", "preparation", "place")
 NOTE = (
     "Views show plates by the edges of their outer faces; broken: diaphragms; wide: cuts at the "
-    "node. Side of node: before or behind it along the branch. Step: of the branch's face over that of the member that "
-    "runs through; held against the rule where both plates are in line. Bevel: of the cut against "
-    "square at its two corners, positive where the outer face is the longer. Dihedral: between "
-    "plate and face on the inner side."
+    "node. Side of node: before or behind it along the branch. Step: of the branch's face over "
+    "that of the member that runs through; held against the rule where both plates are in line. "
+    "Bevel: of the cut against square at its two corners, positive where the outer face is the "
+    "longer. Dihedral: between plate and face on the inner side."
 )
 SMALLEST_ROWS = 8
 
@@ -134,7 +134,7 @@ def inside(through: MemberRecord, joinings: Sequence[Joining]) -> list[Developed
     return [
         plate
         for plate in through.plates
-        if plate.letter == "D"
+        if plate.face == "diaphragm"
         and low <= float(((plate.centre_of_gravity - foot) * along).sum()) <= high
     ]
 

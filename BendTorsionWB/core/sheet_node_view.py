@@ -160,7 +160,7 @@ def _region(
         axes[record.member] = np.array([foot + low * along, foot + high * along])
     foot, along = axis_at(through, place)
     for plate in through.plates:
-        if plate.lines or plate.letter == "D":
+        if plate.lines or plate.face == "diaphragm":
             drawn += _cut_off(plate, foot, along, length, through, False, 0)
     axes[through.member] = np.array([foot - length * along, foot + length * along])
     return drawn, axes

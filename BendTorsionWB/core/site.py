@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the model lies on the site: the model stays local, what surveyors read carries site values."""
+"""Where the model lies on the site: it stays local, what surveyors read carries site values."""
 
 from __future__ import annotations
 

@@ -118,8 +118,8 @@ def thickness_changes(
     chamfer clear of the transition and the stagger from the joints of the faces a face meets.
     stepped, abrupt: transitions without length at which a face, or a face or a gap, steps; there
     every face is cut, without offset. On a closed axis segments end with the first again and
-    places may lie beyond its length; the changes returned lie on the axis. Raises BendTorsionError for offsets that cannot be, and
-    chamfers longer than their plate.
+    places may lie beyond its length; the changes returned lie on the axis. Raises BendTorsionError
+    for offsets that cannot be, and chamfers longer than their plate.
     """
     findings: list[Finding] = []
     placed: list[ThicknessChange] = []

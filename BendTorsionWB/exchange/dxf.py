@@ -220,9 +220,7 @@ def _add_lines(space, plate: DevelopedPlate, names: Mapping[str, str], height: f
             add_line_text(space, text, middle, mark.flat[1], centre, height, attributes)
 
 
-def _add_roll_lines(
-    space, plate: DevelopedPlate, names: Mapping[str, str], height: float
-) -> None:
+def _add_roll_lines(space, plate: DevelopedPlate, names: Mapping[str, str], height: float) -> None:
     """Roll lines with their radii; text is half the height of other marks."""
     rolls = () if plate.forming_data is None else plate.forming_data.roll_lines
     attributes, centre = {"layer": names[MARK_ROLL]}, _centre(plate)
@@ -230,9 +228,7 @@ def _add_roll_lines(
         a, b = _shortened(roll.flat)
         space.add_line(place(a), place(b), dxfattribs=attributes)
         middle = 0.5 * (roll.flat[0] + roll.flat[1])
-        add_line_text(
-            space, roll.text(), middle, roll.flat[1], centre, 0.5 * height, attributes
-        )
+        add_line_text(space, roll.text(), middle, roll.flat[1], centre, 0.5 * height, attributes)
 
 
 def _add_points(space, plate: DevelopedPlate, names: Mapping[str, str]) -> None:
@@ -296,9 +292,6 @@ def _add_marks(
         first, second = line.flat
         fifth = first + 0.2 * (second - first)
         add_line_text(space, line.label, fifth, second, centre, height, attributes)
-
-
-
 
 
 def _identity(plate: DevelopedPlate) -> tuple[str, ...]:

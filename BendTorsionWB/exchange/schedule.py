@@ -77,9 +77,7 @@ class Settings(Row):
     @property
     def site(self) -> SiteDatum:
         """Where the model lies on the site."""
-        return SiteDatum(
-            self.site_x, self.site_y, self.site_z, self.site_rotation, self.site_unit
-        )
+        return SiteDatum(self.site_x, self.site_y, self.site_z, self.site_rotation, self.site_unit)
 
     @property
     def sheet_style(self) -> SheetStyle:
@@ -93,6 +91,7 @@ class Settings(Row):
             self.sheet_unit,
             self.site,
         )
+
     mode: str = "edges"
     flattened_surface: str = "mid"
     marking_face: str = "inside"

@@ -19,8 +19,8 @@ GROUP = "User parameter:BaseApp/Preferences/Mod/BendTorsion"
 class Preference:
     """A value new objects start with: argument `argument` of `make.function`.
 
-    default: what it is until the user says otherwise, a float being a length in mm; listed: choices of a
-    text that is one of some.
+    default: what it is until the user says otherwise, a float being a length in mm; listed: choices
+    of a text that is one of some.
     """
 
     name: str

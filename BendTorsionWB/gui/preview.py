@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from BendTorsionWB.gui import macro
+from BendTorsionWB.gui import macro, tree
 
 
 class Preview:
@@ -21,9 +21,11 @@ class Preview:
         document.openTransaction(name)
         try:
             self.objects = list(create(_make_unrecorded)) if create else list(objects)
+            if create:
+                tree.TRIED.update(obj.Name for obj in self.objects)
             document.recompute()
         except BaseException:
-            document.abortTransaction()
+            self.cancel()
             raise
         self.before = [_inputs(obj) for obj in self.objects]
 
@@ -46,6 +48,7 @@ class Preview:
 
     def cancel(self) -> None:
         """Take everything back."""
+        tree.TRIED.clear()
         self.document.abortTransaction()
 
 

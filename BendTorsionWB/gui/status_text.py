@@ -6,8 +6,6 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui
 
-from BendTorsionWB.objects.proxy import findings_of
-
 translate = FreeCAD.Qt.translate
 
 
@@ -23,6 +21,9 @@ class SelectedFindings:
 
 def status_text(obj) -> str:
     """One line on an object: its first error, else its first warning, else nothing."""
+    # Here, not above: the workbench opens without loading Part.
+    from BendTorsionWB.objects.proxy import findings_of
+
     found = [f for f in findings_of(obj) if f.severity in ("error", "warning")]
     found.sort(key=lambda finding: finding.severity)
     if not found:

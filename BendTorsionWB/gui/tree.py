@@ -15,6 +15,9 @@ LINKED_ABOVE = {"PlateSet": "Member", "Unfold": "Plates", "AssemblyBed": "Plates
     "SheetSet": "Unfold"
 }
 """The property by which an object names the one it is shown below."""
+TRIED: set[str] = set()
+"""Names of objects that are tried out and will be made anew when kept. FreeCAD's tree would take
+the new one, at the same address, for the one it had folded away, and leave it at the top."""
 ORDER = {"": 0, "note": 0, "warning": 1, "error": 2}
 
 
@@ -25,7 +28,11 @@ def children(obj) -> list:
     if kind == "Member" and obj.Axis is not None and _only_user(obj.Axis, obj):
         found.append(obj.Axis)
     if kind in CLAIMED:
-        found += [user for user in obj.InList if getattr(user, "BT_Type", "") in CLAIMED[kind]]
+        found += [
+            user
+            for user in obj.InList
+            if getattr(user, "BT_Type", "") in CLAIMED[kind] and user.Name not in TRIED
+        ]
     if kind == "SheetSet":
         found += _pages(obj)
     return found

@@ -93,6 +93,10 @@ class ViewProvider:
             legend.schedule(obj.Document)
         if name == tree.LINKED_ABOVE.get(obj.BT_Type):
             QtCore.QTimer.singleShot(0, lambda at=(obj.Document.Name, obj.Name): _fold(*at))
+        if name == tree.LINKED_ABOVE.get(obj.BT_Type) and getattr(obj, name) is not None:
+            # The tree asks an object for its children only after one of its properties was set.
+            above = getattr(obj, name)
+            above.Visibility = above.Visibility
         if name == "Findings":
             for item in (obj, *tree.parents(obj)):
                 item.ViewObject.signalChangeIcon()

@@ -43,7 +43,7 @@ from BendTorsionWB.sheets.techdraw import (
 
 def sheets_of(sheet_set) -> tuple[Sheet, ...]:
     """The sheets of a SheetSet object; one that names the fault when there is nothing to draw."""
-    return _laid_out(_record_of(sheet_set), style_of(sheet_set))
+    return _laid_out(_record_of(sheet_set), style_of(sheet_set), sheet_set.PlatePages)
 
 
 def style_of(sheet_set) -> SheetStyle:
@@ -76,9 +76,9 @@ def set_style(sheet_set, style: SheetStyle) -> None:
 
 
 @lru_cache(maxsize=64)
-def _laid_out(record: MemberRecord, style: SheetStyle) -> tuple[Sheet, ...]:
+def _laid_out(record: MemberRecord, style: SheetStyle, plates: bool) -> tuple[Sheet, ...]:
     # Every page of a set asks for the same sheets in one recompute; records are kept by the memo.
-    return member_sheets(record, style)
+    return member_sheets(record, style, plates)
 
 
 def _record_of(sheet_set) -> MemberRecord:
@@ -112,6 +112,13 @@ class SheetSet(Proxy):
     PROPERTIES = (
         Property("App::PropertyLink", "Unfold", "Sheets", "The flat patterns these sheets show"),
         Property("App::PropertyLink", "Bed", "Sheets", "The assembly bed shown, if any"),
+        Property(
+            "App::PropertyBool",
+            "PlatePages",
+            "Sheets",
+            "Pages for the plates, too, about 0.1 s for each. The PDF has them always",
+            True,
+        ),
         Property("App::PropertyString", "Project", "Sheets", "Project name in the title block"),
         Property("App::PropertyString", "Author", "Sheets", "Drawn by, in the title block"),
         Property(

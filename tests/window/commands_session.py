@@ -423,9 +423,30 @@ def documents():
     return result
 
 
+def folded():
+    """Plates made by the command are folded under their member, patterns under them."""
+    from BendTorsionWB import make
+
+    document = FreeCAD.newDocument("Folded")
+    ground = make.make_surface(document, "Ground", "plane")
+    axis = make.make_axis(document, "A1", ground, [(0, 0, 0), (5000, 0, 0)])
+    member = make.make_member(document, "M1", axis, [make.make_section(document, "B")])
+    document.recompute()
+    steps.settle()
+    select(member)
+    run("Plates")
+    press("Ok")
+    select(member)
+    run("Development")
+    tree = [item for item in steps.tree_items() if item[1].startswith("M1")]
+    FreeCAD.closeDocument("Folded")
+    return {"tree": tree}
+
+
 steps.run(
     commands,
     nothing_selected,
+    folded,
     members,
     section_panel,
     member_panel,

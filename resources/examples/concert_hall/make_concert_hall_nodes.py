@@ -115,9 +115,7 @@ def rows() -> dict[str, list[tuple]]:
     axes, points = list(given["Axes"]), list(given["Points"])
     for number, (purlin, section) in enumerate(zip(PURLINS, PURLIN_SECTIONS), 1):
         axes.append((f"B{number}", "Hall", "surface", "pull", None))
-        members.append(
-            (f"P{number}", 1, f"B{number}", section, None, None, "top", *(None,) * 6, 2)
-        )
+        members.append((f"P{number}", 1, f"B{number}", section, None, None, "top", *(None,) * 6, 2))
         points += [
             (f"B{number}", index, *(float(figure) for figure in point))
             for index, point in enumerate(purlin_points(*purlin), 1)
