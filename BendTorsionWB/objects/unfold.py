@@ -48,6 +48,22 @@ FORMING_LISTS = {
 }
 """Lists of forming figures, one number per plate (0 for flat parts): meaning and figure."""
 
+PATTERN_LISTS = {
+    "Lengths": ("net length of its pattern, mm", lambda plate: plate.length),
+    "Widths": ("net width of its pattern, mm", lambda plate: plate.width),
+    "GrossLengths": ("length as cut, mm", lambda plate: (plate.gross or plate).length),
+    "GrossWidths": ("width as cut, mm", lambda plate: (plate.gross or plate).width),
+    "LengthErrors": (
+        "largest flat minus true length over edges, lines and diagonals, mm",
+        lambda plate: plate.length_error_max,
+    ),
+    "LengthErrorBounds": (
+        "what no flat pattern can be below in that, mm",
+        lambda plate: plate.length_error_bound,
+    ),
+}
+"""Lists of figures of the patterns, one number per plate: meaning and figure."""
+
 
 class Unfold(Proxy):
     """Flat patterns, one face per plate in mark order, laid out in rows in the XY plane."""
@@ -136,6 +152,10 @@ class Unfold(Proxy):
             output=True,
         ),
         *(
+            Property("App::PropertyFloatList", name, "Result", f"Per plate: {meaning}", output=True)
+            for name, (meaning, _) in PATTERN_LISTS.items()
+        ),
+        *(
             Property("App::PropertyFloat", name, "Result", f"Largest {meaning}", output=True)
             for name, meaning in (
                 ("EdgeErrorMax", "flat minus true length of the long edges, mm"),
@@ -196,6 +216,8 @@ class Unfold(Proxy):
         obj.Marks = [plate.mark for plate in record.plates]
         obj.Areas = [plate.area for plate in record.plates]
         obj.GrossAreas = [as_cut(plate).area for plate in record.plates]
+        for name, (_, figure) in PATTERN_LISTS.items():
+            setattr(obj, name, [figure(plate) for plate in record.plates])
         for name, errors in worst_errors(record.plates).items():
             setattr(obj, f"{name}Max", errors)
         obj.Forming = [plate.forming for plate in record.plates]
