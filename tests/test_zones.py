@@ -241,6 +241,7 @@ def test_all_faults_are_told_at_once():
         ({"t_web": 401}, "plate-too-thick"),
         ({"gap1": -1}, "section-gap"),
         ({"gap1": 400, "gap2": 400}, "gap-too-wide"),
+        ({"gap1": 380, "gap2": 375}, "strip-too-narrow"),
         ({"type": "tee"}, "section-type"),
     ],
 )

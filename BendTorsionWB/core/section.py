@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from . import tolerances
 from .finding import BendTorsionError, Finding, error
 
 BOX_TYPES = ("box1", "box2")
@@ -189,6 +190,18 @@ def box_findings(
                 "make gap1 and gap2 smaller",
                 value=float(gap1 + gap2),
                 limit=clear,
+                unit="mm",
+            )
+        )
+    elif clear - gap1 - gap2 < tolerances.NARROWEST_STRIP:
+        findings.append(
+            error(
+                "strip-too-narrow",
+                name,
+                "the plate between its neighbours is hardly a plate",
+                "use smaller gaps, thinner neighbours or a wider section",
+                value=float(clear - gap1 - gap2),
+                limit=tolerances.NARROWEST_STRIP,
                 unit="mm",
             )
         )

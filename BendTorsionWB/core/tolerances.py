@@ -34,6 +34,9 @@ SKIN_CORNER = 0.001
 VOLUME_RELATIVE = 1e-6
 """Largest relative difference between a solid's volume and the section integral."""
 
+NARROWEST_STRIP = 10.0
+"""A plate strip narrower than this between its neighbours is an error, mm."""
+
 SHORTEST_PLATE = 10.0
 """Joints that would leave a plate, or the part of one before a fold, shorter than this are an
 error."""
