@@ -9,9 +9,9 @@ from dataclasses import astuple
 
 from BendTorsionWB.core.axis_input import AxisInput
 from BendTorsionWB.core.detailing import MemberJob
-from BendTorsionWB.exchange.schedule import AxisRow, MemberRow, Schedule
 from BendTorsionWB.exchange.schedule_end_cuts import EndCutCell
 from BendTorsionWB.exchange.schedule_jobs import PARTS, job_of
+from BendTorsionWB.exchange.schedule_rows import AxisRow, MemberRow, Schedule
 from BendTorsionWB.source_files import faces_of, read_files
 
 

@@ -25,7 +25,7 @@ from BendTorsionWB.document_difference import (
     value_of,
 )
 from BendTorsionWB.exchange.difference import Change
-from BendTorsionWB.exchange.schedule import Schedule
+from BendTorsionWB.exchange.schedule_rows import Schedule
 from BendTorsionWB.objects import sheet as sheet_object
 from BendTorsionWB.objects.proxy import add_property
 

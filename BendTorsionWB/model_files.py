@@ -15,8 +15,8 @@ from BendTorsionWB.core.numbering import shared_marks
 from BendTorsionWB.exchange.output_folder import UPDATED, OutputFolder
 from BendTorsionWB.exchange.report import of_member
 from BendTorsionWB.exchange.result_cache import key_of
-from BendTorsionWB.exchange.schedule import Schedule
 from BendTorsionWB.exchange.schedule_content import content_of
+from BendTorsionWB.exchange.schedule_rows import Schedule
 from BendTorsionWB.exchange.timeless import timeless_document
 from BendTorsionWB.exchange.whole_file import whole_file
 from BendTorsionWB.interrupts import to_the_end

@@ -35,9 +35,10 @@ from BendTorsionWB.exchange.part_marks import keep_part_marks, part_marks
 from BendTorsionWB.exchange.result_cache import FOLDER as CACHE
 from BendTorsionWB.exchange.result_cache import ResultCache, key_of
 from BendTorsionWB.exchange.revision import cut_findings
-from BendTorsionWB.exchange.schedule import Schedule, read_schedule
+from BendTorsionWB.exchange.schedule import read_schedule
 from BendTorsionWB.exchange.schedule_jobs import job_of, located
 from BendTorsionWB.exchange.schedule_nodes import with_nodes
+from BendTorsionWB.exchange.schedule_rows import Schedule
 from BendTorsionWB.exchange.whole_file import write_whole
 from BendTorsionWB.member_files import (
     MemberFile,

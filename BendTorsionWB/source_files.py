@@ -14,8 +14,8 @@ from BendTorsionWB.core.finding import BendTorsionError, Finding
 from BendTorsionWB.exchange.curve_files import dxf_axis, dxf_unit
 from BendTorsionWB.exchange.file_extent import extent_findings, unit_of
 from BendTorsionWB.exchange.rhino_files import rhino_axis, rhino_patches, rhino_unit
-from BendTorsionWB.exchange.schedule import AxisRow, MemberRow, Schedule, SurfaceRow
 from BendTorsionWB.exchange.schedule_jobs import Files
+from BendTorsionWB.exchange.schedule_rows import AxisRow, MemberRow, Schedule, SurfaceRow
 
 
 def read_files(schedule: Schedule, rows: Sequence[MemberRow]) -> Files:

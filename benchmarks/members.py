@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Members against truth and against FreeCAD's own lofts and sweeps.
 
-Run: python3 benchmarks/members.py [random members, 300 when left out]
+Run: python3 benchmarks/members.py; random members are in random_members.py.
 
 Truth: corners from positions of the axis, normals of the ellipsoid and the section alone. Errors
 are distances of true corners from the long edges of the solid, everywhere between the stations.
@@ -13,7 +13,6 @@ import os
 os.environ["OPENBLAS_NUM_THREADS"] = "1"
 
 import sys
-import tempfile
 import time
 from pathlib import Path
 
@@ -30,8 +29,6 @@ import FreeCAD  # noqa: E402
 import Part  # noqa: E402
 from curved_members import ELLIPSOID, diagonal, in_space, irregular, member  # noqa: E402
 from exact_axes import curves  # noqa: E402
-from random_members import random_member  # noqa: E402
-from section_cuts import penetration, sections_at  # noqa: E402
 
 from BendTorsionWB import make  # noqa: E402
 from BendTorsionWB.core import detailing, memo, solid_skins  # noqa: E402
@@ -41,7 +38,6 @@ from BendTorsionWB.core.member import Member  # noqa: E402
 from BendTorsionWB.core.plates import split_plates  # noqa: E402
 from BendTorsionWB.core.section import box  # noqa: E402
 from BendTorsionWB.core.skin import skin  # noqa: E402
-from BendTorsionWB.core.volume import skin_volumes  # noqa: E402
 from BendTorsionWB.core.zones import Segment, section_law  # noqa: E402
 from BendTorsionWB.objects import plate_set  # noqa: E402
 from BendTorsionWB.shapes import brep, kept_solids  # noqa: E402
@@ -345,93 +341,6 @@ def ring():
     row("closed ring: plates valid, ends meet to, mm", "valid", gap, [], note=f"valid {valid}")
 
 
-def thickness_changes(count):
-    print(f"\n{count} random members with thickness changes per face: plates kept apart")
-    deepest, flush, told = -np.inf, 0.0, 0
-    for seed in range(count):
-        built = random_member(seed, changes=True)
-        if any(finding.code == "transition-short" for finding in built.law.findings):
-            told += 1
-            continue
-        plates, _ = split_plates(built, {})
-        law = built.law
-        places = {p for c in law.changes for p in (c.place, *c.chamfer)} | set(law.folds)
-        offsets = (-30.0, -10.0, -3.0, -0.5, 0.5, 3.0, 10.0, 30.0)
-        s = np.array(sorted(p + d for p in places for d in offsets))
-        s = s[(s > 0.0) & (s < built.length)]
-        deepest = max([deepest, *map(penetration, sections_at(built, plates, s))])
-        for one, two in zip(plates[:-1], plates[1:], strict=True):
-            if one.face == two.face and (one.chamfers[1] or two.chamfers[0]):
-                meets = one.rails.inner(one.end) - two.rails.inner(two.start)
-                flush = max(flush, np.abs(meets).max())
-    print(f"  overlap at most {max(0.0, deepest):.1e} mm; inner faces meet to {flush:.1e} mm")
-    print(f"  left out, warned of a transition shorter than twice its plates: {told}")
-    row(
-        f"overlap of plates, {count} members with thickness changes, mm", "0", max(0.0, deepest), []
-    )
-    row("inner faces flush at thickness joints, mm", "flush", flush, [])
-
-
-def random_members(count):
-    print(f"\n{count} random members: boxes, I, channels, trapezoids; linear and smooth")
-    worst, mispaired, refused, plates_built, invalid, lofts, lofts_wrong = 0.0, 0, 0, 0, 0, 0, 0
-    worst_step = 0.0
-    with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "plates.step")
-        for seed in range(count):
-            built = random_member(seed)
-            for tube in solid_skins.corner_tubes(built):
-                for piece in tube:
-                    s = np.linspace(piece.knots[0], piece.knots[-1], 17)[1:-1]
-                    exact = built.corners(0.0, built.length)(s).reshape(len(s), -1, 3)
-                    mispaired += np.linalg.norm(piece.at(s) - exact, axis=2).max() > 1.0
-            plates, _ = split_plates(built, {})
-            skins = solid_skins.plate_skins(plates)
-            solids = brep.tube_solids([[(p.knots, p.poles) for p in one] for one in skins])
-            for plate, volume, solid in zip(plates, skin_volumes(skins), solids, strict=True):
-                plates_built += 1
-                miss = abs(volume / plate.volume - 1)
-                worst = max(worst, miss)
-                refused += miss > 1e-6 or not solid.isValid() or not solid.isClosed()
-            if seed % 10 == 0:
-                Part.Compound(solids).exportStep(path)
-                back = Part.Shape()
-                back.read(path)
-                invalid += len(back.Solids) != len(solids) or not all(
-                    solid.isValid() for solid in back.Solids
-                )
-                worst_step = max(worst_step, abs(back.Volume / Part.Compound(solids).Volume - 1))
-            draw = np.random.default_rng(seed)
-            stations = np.linspace(plates[0].start, plates[0].end, int(draw.integers(5, 26)))
-            rails = [
-                group(stations).reshape(-1, 2, 3)
-                for group in (plates[0].rails.outer, plates[0].rails.inner)
-            ]
-            rings = np.concatenate([rails[0], rails[1][:, ::-1]], axis=1)
-            corner_rings = built.corners(0.0, built.length)(stations).reshape(len(stations), -1, 3)
-            for ring in (rings, corner_rings) if corner_rings.shape[1] == 4 else (rings,):
-                lofts += 1
-                loft = lofted(ring, False)
-                exact = sum(_prism(ring[k], ring[k + 1]) for k in range(len(ring) - 1))
-                lofts_wrong += abs(loft.Volume / exact - 1) > 0.05
-    print(
-        f"  ours: {mispaired} mis-paired corners; {plates_built} plates, {refused} refused, "
-        f"volume to {worst:.1e}; after STEP {invalid} invalid, volume to {worst_step:.1e}"
-    )
-    print(f"  makeLoft smooth of the same corners: {lofts_wrong} of {lofts} wrong by more than 5 %")
-    peer = f"makeLoft smooth wrong in {lofts_wrong} of {lofts}"
-    row(f"mis-paired corners, {count} random members", "0", mispaired, [peer])
-    row(f"volume of {plates_built} plates against ∫, relative", "1e-6", worst, [], 1e-16)
-    row("plates refused, or invalid after STEP", "0", refused + invalid, [])
-
-
-def _prism(one, other):
-    """Volume between two rings (m, 3), near enough to tell a wrong pairing."""
-    middle = 0.5 * (one + other)
-    area = 0.5 * np.cross(middle, np.roll(middle, -1, axis=0)).sum(axis=0)
-    return abs(area @ (other.mean(axis=0) - one.mean(axis=0)))
-
-
 TABLE = []
 
 
@@ -443,18 +352,19 @@ def row(what, limit, ours, peers, floor=None, note=""):
     TABLE.append(f"| {what} | {limit} | {figure} | {'; '.join(peers)} | {distance} |")
 
 
+def print_table():
+    print("\n| figure | limit | ours | peers | floor |\n|---|---|---|---|---|")
+    print("\n".join(TABLE))
+
+
 def main():
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else 300
     print(f"FreeCAD {'.'.join(FreeCAD.Version()[:3])}, OCCT {Part.OCC_VERSION}")
     corners()
     transitions()
     thickness()
     ring()
     recompute()
-    thickness_changes(count // 5)
-    random_members(count)
-    print("\n| figure | limit | ours | peers | floor |\n|---|---|---|---|---|")
-    print("\n".join(TABLE))
+    print_table()
 
 
 if __name__ == "__main__":

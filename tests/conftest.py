@@ -53,4 +53,7 @@ def pytest_terminal_summary(terminalreporter):
             terminalreporter.line(line)
 
 
-from schedule_books import read  # noqa: E402, F401 - a fixture for all tests
+# Fixtures for all tests.
+from cut_members import sine, tilted, twisted, twisted_plates  # noqa: E402, F401
+from piece_members import delivered  # noqa: E402, F401
+from schedule_books import read  # noqa: E402, F401

@@ -4,94 +4,32 @@ forms, invariances and the kernel."""
 
 import dataclasses
 
-import ezdxf
 import numpy as np
 import pytest
-from curved_members import ELLIPSOID, member, rotation, tapered
+from curved_members import member, rotation, tapered
+from cut_members import (
+    RADIUS,
+    S800,
+    end_run,
+    job,
+    plates_of,
+    records_of,
+    ring,
+    straight,
+)
 
 from BendTorsionWB.core import detailing, solid_skins
-from BendTorsionWB.core.axis import fit_axis
-from BendTorsionWB.core.axis_input import AxisInput
-from BendTorsionWB.core.contour import end_curves
 from BendTorsionWB.core.contour_measure import trimmed_figures
-from BendTorsionWB.core.cut_skin import cut_skin_area
-from BendTorsionWB.core.detailing import MemberInput, MemberJob, PlatesInput, detail
-from BendTorsionWB.core.end_cut import SQUARE, EndCut, with_end_cuts
-from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.frames import FrameInput, surface_frames
+from BendTorsionWB.core.detailing import detail
+from BendTorsionWB.core.end_cut import EndCut
+from BendTorsionWB.core.frames import FrameInput
 from BendTorsionWB.core.frames_screw import running_on
 from BendTorsionWB.core.mass import solid_figures
-from BendTorsionWB.core.member import Member
 from BendTorsionWB.core.pattern import develop_plate
-from BendTorsionWB.core.plates import Joints, split_plates
+from BendTorsionWB.core.plates import split_plates
 from BendTorsionWB.core.section import box
-from BendTorsionWB.core.strips import strip_rails
 from BendTorsionWB.core.surface import Cylinder, Plane, Sphere
-from BendTorsionWB.core.zones import Segment, section_law
-from BendTorsionWB.exchange.dxf import write_plate_dxf
-from BendTorsionWB.shapes import cut_solid
-
-S800 = box("B800", "box1", 800, 600, 20, gap1=2, gap2=3)
-RADIUS = 12000.0
-
-
-def job(points, surface, start=SQUARE, end=SQUARE, frame=None, section=S800):
-    given = MemberInput(
-        "M1",
-        (Segment(section),),
-        frame=frame or FrameInput(),
-        start_cut=start,
-        end_cut=end,
-    )
-    return MemberJob(surface, AxisInput("A1", np.array(points, float)), given, PlatesInput())
-
-
-def member_from(points):
-    """The member itself, along points in the plane z = 0."""
-    axis = fit_axis("A1", np.array(points, float), Plane())
-    law = section_law("M1", [Segment(S800)], axis.length)
-    return Member("M1", surface_frames(axis, Plane()), law)
-
-
-def straight(start=SQUARE, end=SQUARE):
-    """A member 6 m along x, z up: h 800, b 600, t 20."""
-    return detail(job([(0, 0, 0), (6000, 0, 0)], Plane(), start, end))
-
-
-def ring(start=SQUARE, end=SQUARE, angle=0.6):
-    """A member round a cylinder of 12 m, whose top and bottom plates are right cylinders."""
-    turn = np.linspace(0.0, angle, 121)
-    points = np.column_stack([RADIUS * np.cos(turn), RADIUS * np.sin(turn), 0.0 * turn])
-    return detail(job(points, Cylinder(RADIUS), start, end))
-
-
-def plates_of(detailed):
-    return {item.plate.face: item.plate for item in detailed.plates.plates}
-
-
-def records_of(detailed):
-    return {plate.face: plate for plate in detailed.record.plates}
-
-
-def end_run(plate):
-    """The run of the outline along line E-2."""
-    ends = plate.lines[-1].flat
-    miss = [min(abs(run[[0, -1]] - e).max() for e in (ends, ends[::-1])) for run in plate.outline]
-    return plate.outline[int(np.argmin(miss))]
-
-
-def findings_of(call, *arguments):
-    with pytest.raises(BendTorsionError) as caught:
-        call(*arguments)
-    return {found.code: found for found in caught.value.findings}
-
-
-TILT = EndCut("plane", normal=(1.0, 0.3, -0.5))
-
-
-@pytest.fixture(scope="module")
-def tilted():
-    return straight(start=EndCut("plane", normal=(1.0, 0.0, 0.4)), end=TILT)
+from BendTorsionWB.core.zones import Segment
 
 
 def at_plane(y, z):
@@ -186,11 +124,6 @@ def test_painted_area_of_a_straight_box_is_its_skin_between_the_planes(tilted):
     assert detailing.painted_area(tilted.geometry) == pytest.approx(expected, rel=1e-9)
 
 
-@pytest.fixture(scope="module")
-def sine():
-    return ring(end=EndCut("plane", normal=(0.0, 1.0, 0.45)))
-
-
 def test_a_plane_cut_of_a_right_cylinder_develops_to_a_sine(sine):
     """The plane through the axis end, n = (0, 1, 0.45): on the cylinder of radius r the cut is
     r sin φ − R sin φ_end + 0.45 z = 0, so in the pattern x = r φ is an arcsine of v."""
@@ -234,19 +167,6 @@ def test_area_by_green_over_the_contour_is_the_area(sine, tilted):
                 abs=0.001
                 * sum(np.linalg.norm(np.diff(run, axis=0), axis=1).sum() for run in plate.outline),
             )
-
-
-@pytest.fixture(scope="module")
-def twisted():
-    """A tapered member on the ellipsoid, both ends askew."""
-    return with_end_cuts(
-        tapered(cut=9000.0), (EndCut("plumb"), EndCut("plane", normal=(-2.0, 1.0, 2.0)))
-    )
-
-
-@pytest.fixture(scope="module")
-def twisted_plates(twisted):
-    return split_plates(twisted, {})[0]
 
 
 def test_every_point_of_the_curves_lies_in_the_plane_and_on_the_plate(twisted, twisted_plates):
@@ -453,153 +373,3 @@ def test_a_member_is_cut_at_a_cylinder_and_at_a_sphere():
     assert top.lines[-1].length_flat == pytest.approx(
         900.0 * 2.0 * np.arcsin(chord / 1800.0), abs=1e-6
     )
-
-
-SKEW = EndCut("plane", normal=(1.0, 0.0, 0.6))
-
-
-@pytest.mark.parametrize(
-    ("cut", "code"),
-    [
-        (EndCut("plane", normal=(0.05, 1.0, 0.0)), "end-cut-along-axis"),
-        (EndCut("level"), "end-cut-along-axis"),
-        (EndCut("plane", normal=(1.0, 0.0, 0.0), point=(2000.0, 0, 0)), "end-cut-beyond-middle"),
-        (EndCut("plane", normal=(1.0, 0.0, 0.0), point=(60000.0, 0, 0)), "end-cut-misses"),
-        (EndCut("plane", normal=(0.0, 0.0, 0.0)), "end-cut-normal"),
-        (EndCut("plane"), "end-cut-normal"),
-        (EndCut("slanted"), "end-cut-kind"),
-        (EndCut("surface"), "end-cut-surface"),
-        (EndCut("surface", surface=Sphere(100.0, (6000.0, 0.0, 0.0))), "end-cut-misses"),
-    ],
-)
-def test_cuts_that_cannot_be_are_named_with_their_end(cut, code):
-    found = findings_of(straight, SQUARE, cut)
-    assert code in found
-    assert found[code].object == "M1" and found[code].position == "end" and found[code].mend
-
-
-class _Along:
-    """A function of x alone."""
-
-    def __init__(self, value, slope):
-        self.value, self.slope = value, slope
-
-    def value_and_gradient(self, points):
-        x = points[:, 0]
-        return self.value(x), np.column_stack([self.slope(x), 0.0 * x, 0.0 * x])
-
-
-@pytest.mark.parametrize(
-    ("value", "slope", "code"),
-    [
-        (lambda x: x - 9000.0, lambda x: 1.0 + 0.0 * x, "end-leaves-nothing"),
-        (lambda x: x + 9000.0, lambda x: 1.0 + 0.0 * x, "end-missed"),
-        (
-            lambda x: (x - 100.0) * (x - 900.0) * (x - 2000.0) * 1e-6,
-            lambda x: (3.0 * x**2 - 6000.0 * x + 2.09e6) * 1e-6,
-            "end-cut-twice",
-        ),
-    ],
-)
-def test_ends_that_miss_a_plate_or_cut_it_twice_are_located(value, slope, code):
-    flat = member_from([(0, 0, 0), (6000, 0, 0)])
-    rails = strip_rails(flat, 0, 0.0, 6000.0)
-    found = findings_of(end_curves, "M1 top", rails, _Along(value, slope), 0)
-    assert found[code].object == "M1 top" and found[code].mend
-    assert "w = 0.00" in found[code].position and "outer surface" in found[code].position
-
-
-def test_a_cut_over_a_joint_or_a_transition_is_refused():
-    built = member([Segment(S800)])
-    skew = with_end_cuts(built, (EndCut("plumb"), SQUARE))
-    found = findings_of(split_plates, skew, {"top": Joints((60.0,), "mm")})
-    assert "end-cut-over-joint" in found and "top" in found["end-cut-over-joint"].position
-    found = findings_of(with_end_cuts, tapered(cut=200.0), (EndCut("plumb"), SQUARE))
-    assert found["end-cut-in-transition"].limit == 200.0
-
-
-def test_the_same_cut_is_the_same_member_and_another_is_another(tilted):
-    again = straight(start=EndCut("plane", normal=(1.0, 0.0, 0.4)), end=TILT)
-    assert again.plates is tilted.plates
-    assert straight().plates is not tilted.plates
-
-
-def test_a_ring_has_no_ends_to_cut():
-    turn = np.linspace(0.0, 2.0 * np.pi, 25)[:-1]
-    points = RADIUS * np.column_stack([np.cos(turn), np.sin(turn), 0.0 * turn])
-    given = job(points, Cylinder(RADIUS), end=EndCut("plumb"))
-    closed = dataclasses.replace(given.axis, closed=True)
-    found = findings_of(detail, dataclasses.replace(given, axis=closed))
-    assert "end-cut-closed" in found
-
-
-def test_the_cut_file_holds_the_curved_end_and_its_points(sine, tmp_path):
-    for plate in sine.record.plates:
-        write_plate_dxf(plate, tmp_path / "p.dxf")
-        space = ezdxf.readfile(tmp_path / "p.dxf").modelspace()
-        [outer] = space.query('LWPOLYLINE[layer=="CUT_OUTER"]')
-        points = np.array(outer.get_points("xyb"))
-        following = np.roll(points[:, :2], -1, axis=0)
-        x, y, chord = points[:, 0], points[:, 1], following - points[:, :2]
-        area = 0.5 * (x * following[:, 1] - following[:, 0] * y).sum()
-        # A bulge b adds the segment of its arc, angle 4 atan b over the chord.
-        angle = 4.0 * np.arctan(points[:, 2])
-        length = np.linalg.norm(chord, axis=1)
-        bent = np.abs(angle) > 1e-12
-        radius = length[bent] / (2.0 * np.sin(0.5 * angle[bent]))
-        area += 0.5 * (radius**2 * (angle[bent] - np.sin(angle[bent]))).sum()
-        assert area == pytest.approx(plate.area, abs=0.02 * length.sum())
-        ends = {tuple(np.round(p[:2], 6)) for p in points}
-        for corner in plate.lines[-1].flat:
-            assert min(np.hypot(*(corner - e)) for e in ends) < 1e-5
-
-
-@pytest.mark.parametrize("kind", ["planes", "surface"])
-def test_solids_are_cut_where_the_plates_end(kind, tilted, sine):
-    built = sine
-    if kind == "surface":
-        pole = Cylinder(900.0, (6800.0, 100.0, 0.0))
-        built = straight(end=EndCut("surface", surface=pole))
-    solids = [solid for solid, _ in cut_solid.plate_solids(built.plates.plates)]
-    for item, solid in zip(built.plates.plates, solids, strict=True):
-        assert solid.isValid() and solid.isClosed()
-        assert solid.Volume == pytest.approx(item.plate.volume, rel=2e-6)
-    figures = detailing.figures_of(built.plates)
-    for own, solid in zip(figures.solids, solids, strict=True):
-        assert np.array(solid.CenterOfMass) == pytest.approx(own.centre, abs=0.02)
-    outside = cut_solid.member_solids(built.geometry)
-    assert len(outside) == 1 and outside[0].isValid()
-    for item in built.plates.plates:
-        point = item.plate.rails.mid(np.array([item.plate.cuts[1].range[0] - 20.0]))[0, :3]
-        assert outside[0].distToShape(_vertex(point))[0] < 21.0
-
-
-def _vertex(point):
-    import FreeCAD
-    import Part
-
-    return Part.Vertex(FreeCAD.Vector(*point))
-
-
-def test_painted_area_of_a_cut_twisted_box_is_that_of_the_kernels_solid(twisted):
-    geometry = detailing.MemberGeometry(twisted, ELLIPSOID, FrameInput(), ())
-    tubes = solid_skins.corner_tubes(twisted, twisted.reach)
-    area = cut_skin_area(twisted, tubes)
-    [solid] = cut_solid.member_solids(_hashed(geometry))
-    assert area == pytest.approx(solid.Area - _end_area(solid, twisted), rel=1e-5)
-
-
-def _end_area(solid, built):
-    """Area of the faces that lie in an end plane."""
-    total = 0.0
-    for face in solid.Faces:
-        points = np.array([vertex.Point for vertex in face.Vertexes])
-        for end in built.ends:
-            if np.abs(end.surface.value_and_gradient(points)[0]).max() < 1e-3:
-                total += face.Area
-    return total
-
-
-def _hashed(geometry):
-    object.__setattr__(geometry, "_made_from", f"test {id(geometry)}")
-    return geometry

@@ -13,8 +13,9 @@ import pytest
 from schedule_books import GOOD, findings, one, write
 
 from BendTorsionWB.exchange import schedule_columns as columns
-from BendTorsionWB.exchange.schedule import Settings, read_schedule
+from BendTorsionWB.exchange.schedule import read_schedule
 from BendTorsionWB.exchange.schedule_jobs import job_of
+from BendTorsionWB.exchange.schedule_rows import Settings
 
 ROOT = Path(__file__).resolve().parent.parent
 HALL = ROOT / "resources" / "examples" / "concert_hall"

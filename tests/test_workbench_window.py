@@ -1,16 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The workbench in FreeCAD's real window, on a virtual screen with a fresh user profile."""
 
-import json
-import os
-import signal
-import subprocess
-from pathlib import Path
-
 import pytest
+from freecad_window import ROOT, run_in_window
 
-ROOT = Path(__file__).resolve().parent.parent
-TIME_LIMIT = 120
 BOX = {"h": 800.0, "b": 600.0, "t": 16.0}
 
 pytestmark = pytest.mark.slow
@@ -38,56 +31,8 @@ def save_without_window(path):
 def window(tmp_path_factory):
     """What one FreeCAD session saw, step by step (tests/window/session.py)."""
     folder = tmp_path_factory.mktemp("window")
-    result = folder / "result.json"
     document = save_without_window(folder / "headless.FCStd")
-    environment = {
-        **os.environ,
-        "HOME": str(folder),
-        "XDG_DATA_HOME": str(folder / "share"),
-        "XDG_CONFIG_HOME": str(folder / "config"),
-        "XDG_RUNTIME_DIR": str(folder),
-        "FREECAD_USER_HOME": str(folder / "freecad"),
-        # The start page is a web view; as root it only runs without its sandbox.
-        "QTWEBENGINE_DISABLE_SANDBOX": "1",
-        "BENDTORSION_WINDOW_RESULT": str(result),
-        "BENDTORSION_WINDOW_DOCUMENT": str(document),
-    }
-    environment.pop("QT_QPA_PLATFORM", None)
-    folder.chmod(0o700)
-    subprocess.run(["make", "-s", "install"], cwd=ROOT, env=environment, check=True)
-    script = ROOT / "tests" / "window" / "session.py"
-    command = ["xvfb-run", "-a", "-s", "-screen 0 1600x1000x24", "freecad", str(script)]
-    with open(folder / "log.txt", "w+", encoding="utf-8", errors="replace") as log:
-        process = subprocess.Popen(
-            command,
-            env=environment,
-            cwd=folder,
-            stdin=subprocess.DEVNULL,
-            stdout=log,
-            stderr=subprocess.STDOUT,
-            start_new_session=True,
-        )
-        try:
-            process.wait(timeout=TIME_LIMIT)
-        except subprocess.TimeoutExpired:
-            pass
-        finally:
-            _end(process)
-        log.seek(0)
-        assert result.exists(), f"FreeCAD wrote no result:\n{log.read()[-4000:]}"
-    return json.loads(result.read_text(encoding="utf-8"))
-
-
-def _end(process):
-    """End the whole process group: xvfb-run, its screen and FreeCAD."""
-    for sign in (signal.SIGTERM, signal.SIGKILL):
-        try:
-            os.killpg(process.pid, sign)
-            process.wait(timeout=5)
-        except ProcessLookupError:
-            return
-        except subprocess.TimeoutExpired:
-            continue
+    return run_in_window(ROOT / "tests" / "window" / "session.py", folder, document=document)
 
 
 def section_area():

@@ -8,7 +8,7 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, fields, is_dataclass
 
-from BendTorsionWB.exchange.schedule import Row, Schedule
+from BendTorsionWB.exchange.schedule_rows import Row, Schedule
 from BendTorsionWB.exchange.whole_file import write_whole
 from BendTorsionWB.exchange.xlsx_file import TEXT, Column, Table, xlsx_bytes
 

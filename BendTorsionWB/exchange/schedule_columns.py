@@ -19,6 +19,7 @@ from BendTorsionWB.core.gross import (
 from BendTorsionWB.core.laid_flat import MARKING_FACES
 from BendTorsionWB.core.node_input import DIAPHRAGMS, TYPES
 from BendTorsionWB.core.pattern import MODES
+from BendTorsionWB.core.segment import ALIGNMENTS
 from BendTorsionWB.core.sheet_style import (
     FORMATS,
     LANGUAGES,
@@ -48,17 +49,6 @@ from BendTorsionWB.exchange.schedule_end_cuts import CUT_COLUMNS, end_cut
 
 SECTION_TYPES = ("box1", "box2", "i", "tee", "channel", "trapezoid", "polygon", "strips")
 CORNER_JOINTS = ("flanges", "webs", "mitre", "ring")
-ALIGNMENTS = (
-    "centre",
-    "top",
-    "bottom",
-    "left",
-    "right",
-    "top-left",
-    "top-right",
-    "bottom-left",
-    "bottom-right",
-)
 SURFACE_PARAMETERS = {
     "ellipsoid": ("a", "b", "c"),
     "sphere": ("r",),

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import fields, is_dataclass
 
-from BendTorsionWB.exchange.schedule import Row, Schedule
+from BendTorsionWB.exchange.schedule_rows import Row, Schedule
 
 
 def content_of(schedule: Schedule, members: Collection[str]) -> tuple:

@@ -24,8 +24,8 @@ from ..core.plates import Joints
 from ..core.section import Material, Section
 from ..core.surface import Flipped, Offset, Surface, analytic_surface
 from ..core.zones import Segment
-from .schedule import AxisRow, MemberRow, Schedule, SegmentRow, Settings
 from .schedule_end_cuts import core_cut
+from .schedule_rows import AxisRow, MemberRow, Schedule, SegmentRow, Settings
 from .schedule_sections import core_section
 
 COLUMN_OF_CODE = {
