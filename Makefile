@@ -7,7 +7,7 @@ DEMO = build/concert_hall
 DATA = $(or $(XDG_DATA_HOME),$(HOME)/.local/share)
 MOD = $(or $(FREECAD_USER_HOME),$(DATA)/FreeCAD)/Mod
 
-.PHONY: demo test test-optional install lint format benchmark packages clean
+.PHONY: demo test test-optional install lint format benchmark tutorial translations findings packages clean
 
 demo: packages  ## build the concert hall into build/concert_hall
 	@$(PYTHON) -m BendTorsionWB build $(EXAMPLE) --out $(DEMO)
@@ -61,6 +61,9 @@ tutorial: packages  ## work through the tutorial in FreeCAD's window and refresh
 
 translations:  ## bring the translations up to the sources; needs qttools5-dev-tools
 	@$(PYTHON) scripts/translations.py
+
+findings:  ## write docs/findings.md: every finding with what mends it
+	@$(PYTHON) scripts/findings_table.py
 
 packages:
 	@sh scripts/install-debian.sh

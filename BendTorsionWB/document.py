@@ -7,7 +7,7 @@ import math
 from contextlib import contextmanager
 from dataclasses import astuple
 
-from BendTorsionWB.core.axis_input import AxisInput
+from BendTorsionWB.core.axes.axis_input import AxisInput
 from BendTorsionWB.core.detailing import MemberJob
 from BendTorsionWB.exchange.schedule_end_cuts import EndCutCell
 from BendTorsionWB.exchange.schedule_jobs import PARTS, job_of

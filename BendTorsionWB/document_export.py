@@ -12,15 +12,16 @@ import FreeCAD
 
 from BendTorsionWB import __version__
 from BendTorsionWB.core import detailing
+from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
 from BendTorsionWB.core.lofting import DevelopedPlate, MemberRecord, failed_record
-from BendTorsionWB.core.numbering import numbered
 from BendTorsionWB.core.parallel import workers_for
-from BendTorsionWB.core.sheet_style import SheetStyle
+from BendTorsionWB.core.patterns.numbering import numbered
+from BendTorsionWB.core.patterns.strain_map import StrainMap, strain_map
 from BendTorsionWB.core.site import AT_ORIGIN
-from BendTorsionWB.core.strain_map import StrainMap, strain_map
 from BendTorsionWB.document_update import open_document
 from BendTorsionWB.exchange import report, results_workbook
+from BendTorsionWB.exchange.folder_lock import locked
 from BendTorsionWB.exchange.output_folder import (
     OutputFolder,
     check_folder,
@@ -184,10 +185,26 @@ def export_document(
     svg: bool = False,
 ) -> BuildResult:
     """Write STEP, IFC, sheets, cut files, workbook and report of a document into a folder. Raises
-    BendTorsionError for a document that cannot be opened or holds no member."""
-    timing, out = Timing(), Path(out)
+    BendTorsionError for a document that cannot be opened or holds no member, and for a folder
+    another build is writing into."""
+    out = Path(out)
+    check_folder(out)
+    with locked(out):
+        return _export(path, out, only, workers, progress, sheets, force, svg)
+
+
+def _export(
+    path: str | os.PathLike,
+    out: Path,
+    only: Sequence[str],
+    workers: int | None,
+    progress: Progress,
+    sheets: bool,
+    force: bool,
+    svg: bool,
+) -> BuildResult:
+    timing = Timing()
     with timing.stage("read"):
-        check_folder(out)
         document = open_document(Path(path))
     try:
         with timing.stage("document"):
@@ -202,9 +219,11 @@ def export_document(
             made = start_all(todo, executor)
             with timing.stage("step"):
                 if healthy:
+                    folder.begin(STEP)
                     write_step(document, sorted(healthy), out / STEP)
                     folder.wrote(STEP, "")
                     own, project = given.records, given.titles.project
+                    folder.begin(IFC)
                     write_ifc(document, sorted(healthy), own, AT_ORIGIN, project, out / IFC)
                     folder.wrote(IFC, "")
             with timing.stage("files"):

@@ -13,15 +13,17 @@ from dataclasses import replace
 from pathlib import Path
 
 from BendTorsionWB.core import detailing
-from BendTorsionWB.core.axis_ends import AxisEnd
-from BendTorsionWB.core.axis_input import AxisInput, ordered_points
-from BendTorsionWB.core.axis_order import rule_turns
-from BendTorsionWB.core.axis_rule import curve_by_rule
-from BendTorsionWB.core.curve_edit import turned
+from BendTorsionWB.core.axes.axis_ends import AxisEnd
+from BendTorsionWB.core.axes.axis_input import AxisInput, ordered_points
+from BendTorsionWB.core.axes.axis_order import rule_turns
+from BendTorsionWB.core.axes.axis_rule import curve_by_rule
+from BendTorsionWB.core.geometry.curve_edit import turned
 from BendTorsionWB.core.rules import node_rules
+from BendTorsionWB.exchange.file_name import file_name
 from BendTorsionWB.exchange.schedule_columns import FIRST_SEGMENT_COLUMNS, SETTINGS, SHEETS
 from BendTorsionWB.exchange.schedule_end_cuts import CUT_COLUMNS
 from BendTorsionWB.exchange.schedule_sections import TAKEN
+from BendTorsionWB.exchange.whole_file import whole_file
 from BendTorsionWB.objects import axis as axis_object
 from BendTorsionWB.objects import end_cuts, plate_parts
 from BendTorsionWB.objects import surface as surface_object
@@ -228,9 +230,10 @@ def _places(places: list[float]) -> list:
 
 
 def _brep(obj, shape, files: Path) -> str:
-    files.mkdir(parents=True, exist_ok=True)
-    name = f"{obj.Label}.brep"
-    shape.exportBrep(str(files / name))
+    # A surface and an axis may have the same label.
+    name = f"{file_name(obj.Label)} {obj.BT_Type.lower()}.brep"
+    with whole_file(files / name) as part:
+        shape.exportBrep(str(part))
     return f"{files.name}/{name}"
 
 

@@ -9,11 +9,11 @@ from concurrent.futures import BrokenExecutor, Executor, Future
 from dataclasses import dataclass
 from pathlib import Path
 
+from BendTorsionWB.core.drawings.sheet import Sheet
+from BendTorsionWB.core.drawings.sheet_layout import member_sheets
+from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.lofting import MemberRecord
-from BendTorsionWB.core.numbering import shared_marks
-from BendTorsionWB.core.sheet import Sheet
-from BendTorsionWB.core.sheet_layout import member_sheets
-from BendTorsionWB.core.sheet_style import SheetStyle
+from BendTorsionWB.core.patterns.numbering import shared_marks
 from BendTorsionWB.exchange import dxf, nc1, report
 from BendTorsionWB.exchange.result_cache import key_of
 from BendTorsionWB.exchange.template_dxf import template_dxf

@@ -11,7 +11,7 @@ from pathlib import Path
 from BendTorsionWB.core.detailing import MemberJob
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
 from BendTorsionWB.core.lofting import MemberRecord
-from BendTorsionWB.core.numbering import shared_marks
+from BendTorsionWB.core.patterns.numbering import shared_marks
 from BendTorsionWB.exchange.output_folder import UPDATED, OutputFolder
 from BendTorsionWB.exchange.report import of_member
 from BendTorsionWB.exchange.result_cache import key_of
@@ -237,6 +237,7 @@ def write_model(
         else:
             if not wanted.update:
                 folder.save_by_hand(MODEL)
+            folder.begin(MODEL)
             write_linked_model(parts, folder.out / MODEL)
             folder.wrote(MODEL, key)
     progress("model", len(parts), len(parts))
@@ -280,6 +281,7 @@ def _model_part(
         ]
         with stage("step"):
             if healthy:
+                folder.begin(part.step)
                 write_step(document, healthy, out / part.step)
                 # A model with errors of its own is built again each time, so that they are told.
                 folder.wrote(part.step, "" if has_error(found) else key)
@@ -287,11 +289,13 @@ def _model_part(
             if healthy:
                 settings = schedule.settings
                 path = out / part.ifc
+                folder.begin(part.ifc)
                 write_ifc(document, healthy, records, settings.site, settings.project, path)
                 folder.wrote(part.ifc, "" if has_error(found) else key)
         with stage("save"):
             if not wanted.update:
                 folder.save_by_hand(part.document)
+            folder.begin(part.document)
             save(document, out / part.document)
             folder.wrote(part.document, "" if has_error(found) or not healthy else key)
     finally:

@@ -9,11 +9,11 @@ from dataclasses import dataclass
 
 from BendTorsionWB import __version__
 from BendTorsionWB.core.detailing import DetailedMember, MemberJob, uncertainty_of
+from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.error_sources import error_sources
 from BendTorsionWB.core.finding import BendTorsionError, Finding
 from BendTorsionWB.core.lofting import DevelopedPlate, MemberRecord
-from BendTorsionWB.core.sheet_style import SheetStyle
-from BendTorsionWB.core.strain_map import StrainMap, strain_map
+from BendTorsionWB.core.patterns.strain_map import StrainMap, strain_map
 from BendTorsionWB.exchange.cutting_tables import nesting_csv
 from BendTorsionWB.exchange.dxf_nest import groups_of, nest_dxf
 from BendTorsionWB.exchange.html_report import Picture, html_report
@@ -21,7 +21,6 @@ from BendTorsionWB.exchange.model_picture import model_svg
 from BendTorsionWB.exchange.output_folder import OutputFolder
 from BendTorsionWB.exchange.pattern_picture import pattern_svg
 from BendTorsionWB.exchange.result_cache import key_of
-from BendTorsionWB.exchange.whole_file import write_whole
 from BendTorsionWB.member_files import MemberFile, record_key, start_all, written
 from BendTorsionWB.sheets.strain_picture import strain_svg
 
@@ -91,12 +90,10 @@ def write_package(
         folder.keep(HTML)
     else:
         page = report_page(records, findings, titles.project, background)
-        write_whole(folder.out / HTML, page.encode("utf-8", "replace"))
-        folder.wrote(HTML, key)
+        folder.write(HTML, page.encode("utf-8", "replace"), key)
     for file in files:
         if file.name in made:
-            write_whole(folder.out / file.name, written(file, made[file.name]))
-            folder.wrote(file.name, file.made_from)
+            folder.write(file.name, written(file, made[file.name]), file.made_from)
         else:
             folder.keep(file.name)
 

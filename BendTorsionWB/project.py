@@ -14,17 +14,25 @@ from pathlib import Path
 
 from BendTorsionWB import __version__
 from BendTorsionWB.core import detailing
+from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
 from BendTorsionWB.core.lofting import MemberRecord, failed_record
-from BendTorsionWB.core.nodes import Found
+from BendTorsionWB.core.nodes.nodes import Found
 from BendTorsionWB.core.parallel import attempts, workers_for
-from BendTorsionWB.core.sheet_style import SheetStyle
 from BendTorsionWB.core.site import AT_ORIGIN, SiteDatum
 from BendTorsionWB.document import build_document
 from BendTorsionWB.document_update import Update
 from BendTorsionWB.exchange import report, results_workbook
 from BendTorsionWB.exchange.difference import Change
-from BendTorsionWB.exchange.issue import OUTLINES, Issue, compared, issue, write_comparison
+from BendTorsionWB.exchange.folder_lock import locked
+from BendTorsionWB.exchange.issue import (
+    OUTLINES,
+    Issue,
+    compared,
+    comparison_files,
+    issue,
+    write_comparison,
+)
 from BendTorsionWB.exchange.output_folder import (
     OutputFolder,
     check_folder,
@@ -214,13 +222,32 @@ def build(
     objects go whose rows are gone from the schedule; statuses: of plates in the shop, besides
     those of the schedule; force: into the folder of another project as well. Raises
     BendTorsionError, with nothing written, for an invalid schedule (geometry decidable from it
-    included). Members in error keep no files; healthy ones are written whole.
+    included), and for a folder another build is writing into. Members in error keep no files;
+    healthy ones are written whole.
     """
-    timing = Timing()
     out = Path(out)
+    check_folder(out)
+    with locked(out):
+        return _build(
+            path, out, only, workers, progress, wanted, executor, removing, statuses, force
+        )
+
+
+def _build(
+    path: str | os.PathLike,
+    out: Path,
+    only: Sequence[str],
+    workers: int | None,
+    progress: Progress,
+    wanted: Wanted,
+    executor: Executor | None,
+    removing: bool,
+    statuses: Mapping[str, str] | None,
+    force: bool,
+) -> BuildResult:
+    timing = Timing()
     with timing.stage("read"):
         schedule, jobs, found = read_project(path, only)
-        check_folder(out)
         check_project(out, schedule.settings.project, force)
     update = Update(removing)
     cache, keys = ResultCache(out / CACHE), {name: key_of(job) for name, job in jobs.items()}
@@ -284,6 +311,8 @@ def build(
         site = schedule.settings.site
         write_reports(folder, records, findings, list(keys.values()), titles, site)
     with timing.stage("revision"):
+        for name in comparison_files(since):
+            folder.begin(name)
         for name in write_comparison(since, out, cache.folder / OUTLINES, statuses):
             folder.wrote(name, "")
     with timing.stage("tidy"):
@@ -297,7 +326,11 @@ def build(
 
 def issue_folder(out: str | os.PathLike, revision: str, note: str = "") -> Issue:
     """Freeze the files of a folder under a revision; raises BendTorsionError as `issue` does."""
-    return issue(Path(out), revision, Path(out) / CACHE / OUTLINES, note)
+    out = Path(out)
+    if not out.is_dir():
+        return issue(out, revision, out / CACHE / OUTLINES, note)
+    with locked(out):
+        return issue(out, revision, out / CACHE / OUTLINES, note)
 
 
 def _new_document(schedule, jobs, sheets: bool, path: Path):
@@ -315,8 +348,8 @@ def write_member_files(
     wanted = [file for file in files if file.member in healthy]
     for done, file in enumerate(wanted, start=1):
         if file.name in made:
-            write_whole(folder.out / file.name, written(file, made[file.name]))
-            folder.wrote(file.name, file.made_from, file.member)
+            content = written(file, made[file.name])
+            folder.write(file.name, content, file.made_from, file.member)
         else:
             folder.keep(file.name)
         progress("sheets and cut files", done, len(wanted))
@@ -339,8 +372,10 @@ def write_reports(
         folder.keep(RESULTS)
         folder.keep(REPORT)
         return
+    folder.begin(RESULTS)
     results_workbook.write_results(records, findings, out / RESULTS, titles.project, site)
     folder.wrote(RESULTS, key)
+    folder.begin(REPORT)
     report.write_report(records, findings, __version__, out / REPORT)
     folder.wrote(REPORT, key)
 

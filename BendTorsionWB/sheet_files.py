@@ -5,15 +5,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from BendTorsionWB.core.drawings.sheet_arrangement import arrangement_sheets
+from BendTorsionWB.core.drawings.sheet_layout import member_sheets
+from BendTorsionWB.core.drawings.sheet_node import has_nodes, node_sheets
+from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.lofting import MemberRecord
-from BendTorsionWB.core.sheet_arrangement import arrangement_sheets
-from BendTorsionWB.core.sheet_layout import member_sheets
-from BendTorsionWB.core.sheet_node import has_nodes, node_sheets
-from BendTorsionWB.core.sheet_style import SheetStyle
 from BendTorsionWB.exchange import report
 from BendTorsionWB.exchange.output_folder import OutputFolder
 from BendTorsionWB.exchange.result_cache import key_of
-from BendTorsionWB.exchange.whole_file import write_whole
 from BendTorsionWB.member_files import pdf_bytes, record_key
 from BendTorsionWB.sheets.pdf_join import joined_pdf
 from BendTorsionWB.sheets.svg import svg_text
@@ -47,11 +46,9 @@ def write_sheet_set(
         if NODES in names:
             first.append(pdf_bytes(node_sheets(healthy, style)))
         for name, content in zip(names[:-1], first, strict=True):
-            write_whole(folder.out / name, content)
-            folder.wrote(name, key)
+            folder.write(name, content, key)
         parts = [(folder.out / report.sheet_name(record.member)).read_bytes() for record in healthy]
-        write_whole(folder.out / SET, joined_pdf([*first, *parts]))
-        folder.wrote(SET, key)
+        folder.write(SET, joined_pdf([*first, *parts]), key)
     if svg:
         _write_svg(folder, records, healthy, style)
 
@@ -68,5 +65,4 @@ def _write_svg(folder: OutputFolder, records, healthy, style: SheetStyle) -> Non
     for name, member, sheets in sets:
         for sheet in sheets:
             file = f"{name.removesuffix('.pdf')}-{sheet.number:02d}.svg"
-            write_whole(folder.out / file, svg_text(sheet).encode("utf-8"))
-            folder.wrote(file, "", member)
+            folder.write(file, svg_text(sheet).encode("utf-8"), "", member)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from BendTorsionWB.core.axis_source import AxisSource
+from BendTorsionWB.core.axes.axis_source import AxisSource
 from BendTorsionWB.core.finding import BendTorsionError, Finding
 from BendTorsionWB.exchange.curve_files import dxf_axis, dxf_unit
 from BendTorsionWB.exchange.file_extent import extent_findings, unit_of

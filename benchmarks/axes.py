@@ -31,9 +31,9 @@ import FreeCAD  # noqa: E402
 import Part  # noqa: E402
 from exact_axes import curves  # noqa: E402
 
-from BendTorsionWB.core.axis import axis_from_curve, fit_axis, fit_uncertainty  # noqa: E402
-from BendTorsionWB.core.axis_order import chain_points, chain_segments  # noqa: E402
-from BendTorsionWB.core.axis_rule import Geodesic, PlaneSection, curve_by_rule  # noqa: E402
+from BendTorsionWB.core.axes.axis import axis_from_curve, fit_axis, fit_uncertainty  # noqa: E402
+from BendTorsionWB.core.axes.axis_order import chain_points, chain_segments  # noqa: E402
+from BendTorsionWB.core.axes.axis_rule import Geodesic, PlaneSection, curve_by_rule  # noqa: E402
 from BendTorsionWB.core.finding import BendTorsionError  # noqa: E402
 
 RMS_LIMIT = 0.003

@@ -31,7 +31,7 @@ import Part  # noqa: E402
 from geodesic import box_mid_rails, frames_by_differences, path_length  # noqa: E402
 
 from BendTorsionWB import project  # noqa: E402
-from BendTorsionWB.core.development import develop  # noqa: E402
+from BendTorsionWB.core.flattening.development import develop  # noqa: E402
 from BendTorsionWB.core.parallel import workers_for  # noqa: E402
 from BendTorsionWB.shapes import brep  # noqa: E402
 

@@ -28,7 +28,8 @@ from curved_members import diagonal, irregular  # noqa: E402
 from PySide2 import QtWidgets  # noqa: E402
 
 from BendTorsionWB import make  # noqa: E402
-from BendTorsionWB.core import detailing, sheet_layout  # noqa: E402
+from BendTorsionWB.core import detailing  # noqa: E402
+from BendTorsionWB.core.drawings import sheet_layout  # noqa: E402
 from BendTorsionWB.objects import axis, member, plate_set, section_spec, sheet, unfold  # noqa: E402
 from BendTorsionWB.shapes import brep  # noqa: E402
 

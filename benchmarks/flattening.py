@@ -32,21 +32,21 @@ import curved_members  # noqa: E402
 import ruled_patches  # noqa: E402
 
 from BendTorsionWB import freecad_path  # noqa: E402
-from BendTorsionWB.core.axis import fit_axis  # noqa: E402
-from BendTorsionWB.core.development import develop, shape_of  # noqa: E402
-from BendTorsionWB.core.elastic import distance, relaxed  # noqa: E402
-from BendTorsionWB.core.frames import surface_frames  # noqa: E402
-from BendTorsionWB.core.gross import Allowances, as_cut  # noqa: E402
-from BendTorsionWB.core.laid_flat import PatternInput, laid_flat  # noqa: E402
-from BendTorsionWB.core.lanes import Lanes  # noqa: E402
-from BendTorsionWB.core.measure import panel_samples  # noqa: E402
-from BendTorsionWB.core.member import Member  # noqa: E402
-from BendTorsionWB.core.pattern import develop_plate, development_of, outline_of  # noqa: E402
-from BendTorsionWB.core.piecewise import Piecewise  # noqa: E402
-from BendTorsionWB.core.plates import Joints, split_plates  # noqa: E402
-from BendTorsionWB.core.section import BOX_FACES  # noqa: E402
-from BendTorsionWB.core.surface import analytic_surface  # noqa: E402
-from BendTorsionWB.core.zones import Segment, section_law  # noqa: E402
+from BendTorsionWB.core.axes.axis import fit_axis  # noqa: E402
+from BendTorsionWB.core.axes.frames import surface_frames  # noqa: E402
+from BendTorsionWB.core.flattening.development import develop, shape_of  # noqa: E402
+from BendTorsionWB.core.flattening.elastic import distance, relaxed  # noqa: E402
+from BendTorsionWB.core.flattening.measure import panel_samples  # noqa: E402
+from BendTorsionWB.core.geometry.piecewise import Piecewise  # noqa: E402
+from BendTorsionWB.core.geometry.surface import analytic_surface  # noqa: E402
+from BendTorsionWB.core.joints.lanes import Lanes  # noqa: E402
+from BendTorsionWB.core.members.member import Member  # noqa: E402
+from BendTorsionWB.core.members.zones import Segment, section_law  # noqa: E402
+from BendTorsionWB.core.patterns.gross import Allowances, as_cut  # noqa: E402
+from BendTorsionWB.core.patterns.laid_flat import PatternInput, laid_flat  # noqa: E402
+from BendTorsionWB.core.patterns.pattern import develop_plate, development_of, outline_of  # noqa: E402
+from BendTorsionWB.core.plates.plates import Joints, split_plates  # noqa: E402
+from BendTorsionWB.core.sections.section import BOX_FACES  # noqa: E402
 
 SECONDS = 60
 ROUNDING = 1e-6

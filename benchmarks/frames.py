@@ -22,9 +22,9 @@ import FreeCAD  # noqa: E402
 import Part  # noqa: E402
 from exact_axes import HALL, curves, free_form  # noqa: E402
 
-from BendTorsionWB.core.frames import FrameInput, frames_of, torsion_angle, winding_number  # noqa: E402
-from BendTorsionWB.core.patches import PatchSurface  # noqa: E402
-from BendTorsionWB.core.surface import Ellipsoid  # noqa: E402
+from BendTorsionWB.core.axes.frames import FrameInput, frames_of, torsion_angle, winding_number  # noqa: E402
+from BendTorsionWB.core.geometry.patches import PatchSurface  # noqa: E402
+from BendTorsionWB.core.geometry.surface import Ellipsoid  # noqa: E402
 from BendTorsionWB.shapes.from_part import surface_from_part  # noqa: E402
 
 STATIONS = 113
@@ -65,7 +65,7 @@ def torsion_table(every):
 
 def _carried(axis, at):
     """Torsion angle by one double reflection a step."""
-    from BendTorsionWB.core.frames_minimal import carried
+    from BendTorsionWB.core.axes.frames_minimal import carried
 
     before = carried(at.origin, at.x, at.z)
     sine = (np.cross(before, at.z[1:]) * at.x[1:]).sum(axis=1)

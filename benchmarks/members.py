@@ -31,14 +31,15 @@ from curved_members import ELLIPSOID, diagonal, in_space, irregular, member  # n
 from exact_axes import curves  # noqa: E402
 
 from BendTorsionWB import make  # noqa: E402
-from BendTorsionWB.core import detailing, memo, solid_skins  # noqa: E402
-from BendTorsionWB.core.axis import fit_axis  # noqa: E402
-from BendTorsionWB.core.frames import surface_frames  # noqa: E402
-from BendTorsionWB.core.member import Member  # noqa: E402
-from BendTorsionWB.core.plates import split_plates  # noqa: E402
-from BendTorsionWB.core.section import box  # noqa: E402
-from BendTorsionWB.core.skin import skin  # noqa: E402
-from BendTorsionWB.core.zones import Segment, section_law  # noqa: E402
+from BendTorsionWB.core import detailing, memo  # noqa: E402
+from BendTorsionWB.core.axes.axis import fit_axis  # noqa: E402
+from BendTorsionWB.core.axes.frames import surface_frames  # noqa: E402
+from BendTorsionWB.core.members.member import Member  # noqa: E402
+from BendTorsionWB.core.members.skin import skin  # noqa: E402
+from BendTorsionWB.core.members.zones import Segment, section_law  # noqa: E402
+from BendTorsionWB.core.plates.plates import split_plates  # noqa: E402
+from BendTorsionWB.core.sections.section import box  # noqa: E402
+from BendTorsionWB.core.solids import solid_skins  # noqa: E402
 from BendTorsionWB.objects import plate_set  # noqa: E402
 from BendTorsionWB.shapes import brep, kept_solids  # noqa: E402
 

@@ -29,9 +29,9 @@ from members import lofted, print_table, row  # noqa: E402
 from random_members import random_member  # noqa: E402
 from section_cuts import penetration, sections_at  # noqa: E402
 
-from BendTorsionWB.core import solid_skins  # noqa: E402
-from BendTorsionWB.core.plates import split_plates  # noqa: E402
-from BendTorsionWB.core.volume import skin_volumes  # noqa: E402
+from BendTorsionWB.core.members.volume import skin_volumes  # noqa: E402
+from BendTorsionWB.core.plates.plates import split_plates  # noqa: E402
+from BendTorsionWB.core.solids import solid_skins  # noqa: E402
 from BendTorsionWB.shapes import brep  # noqa: E402
 
 

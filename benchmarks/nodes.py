@@ -24,8 +24,8 @@ import numpy as np  # noqa: E402
 
 from BendTorsionWB import project  # noqa: E402
 from BendTorsionWB.core import detailing  # noqa: E402
-from BendTorsionWB.core.contour import end_curves  # noqa: E402
-from BendTorsionWB.core.node_faces import outer_faces  # noqa: E402
+from BendTorsionWB.core.members.contour import end_curves  # noqa: E402
+from BendTorsionWB.core.nodes.node_faces import outer_faces  # noqa: E402
 from BendTorsionWB.shapes import brep, cut_solid  # noqa: E402
 from BendTorsionWB.shapes.flat_solid import flat_solid  # noqa: E402
 

@@ -23,8 +23,8 @@ freecad_path.append()
 import numpy as np  # noqa: E402
 
 from BendTorsionWB import project  # noqa: E402
-from BendTorsionWB.core.arc_fit import FIT_TOLERANCE, deviation, fit_outline  # noqa: E402
-from BendTorsionWB.core.sheet_pattern import simplified  # noqa: E402
+from BendTorsionWB.core.drawings.sheet_pattern import simplified  # noqa: E402
+from BendTorsionWB.core.geometry.arc_fit import FIT_TOLERANCE, deviation, fit_outline  # noqa: E402
 from BendTorsionWB.exchange.dxf import plate_dxf  # noqa: E402
 from BendTorsionWB.exchange.nc1 import plate_nc1  # noqa: E402
 from BendTorsionWB.sheets.pdf import start_qt  # noqa: E402

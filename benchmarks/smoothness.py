@@ -16,8 +16,8 @@ sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
 
 from exact_axes import curves  # noqa: E402
 
-from BendTorsionWB.core.axis import fit_axis  # noqa: E402
-from BendTorsionWB.core.axis_smoothness import smoothness  # noqa: E402
+from BendTorsionWB.core.axes.axis import fit_axis  # noqa: E402
+from BendTorsionWB.core.axes.axis_smoothness import smoothness  # noqa: E402
 
 DATA, IMAGES = ROOT / "build" / "smoothness", ROOT / "docs" / "images"
 COUNT, RATIO = 15, 10.0

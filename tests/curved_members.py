@@ -3,13 +3,13 @@
 
 import numpy as np
 
-from BendTorsionWB.core.axis import fit_axis
-from BendTorsionWB.core.frames import surface_frames
-from BendTorsionWB.core.member import Member
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.surface import analytic_surface
-from BendTorsionWB.core.thickness import USUAL_RULES
-from BendTorsionWB.core.zones import Segment, section_law
+from BendTorsionWB.core.axes.axis import fit_axis
+from BendTorsionWB.core.axes.frames import surface_frames
+from BendTorsionWB.core.geometry.surface import analytic_surface
+from BendTorsionWB.core.members.member import Member
+from BendTorsionWB.core.members.thickness import USUAL_RULES
+from BendTorsionWB.core.members.zones import Segment, section_law
+from BendTorsionWB.core.sections.section import box
 
 HALF_AXES = np.array([40000.0, 30000.0, 20000.0])
 ELLIPSOID = analytic_surface("ellipsoid", dict(zip("abc", HALF_AXES)))

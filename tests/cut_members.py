@@ -5,17 +5,17 @@ import numpy as np
 import pytest
 from curved_members import tapered
 
-from BendTorsionWB.core.axis import fit_axis
-from BendTorsionWB.core.axis_input import AxisInput
+from BendTorsionWB.core.axes.axis import fit_axis
+from BendTorsionWB.core.axes.axis_input import AxisInput
+from BendTorsionWB.core.axes.frames import FrameInput, surface_frames
 from BendTorsionWB.core.detailing import MemberInput, MemberJob, PlatesInput, detail
-from BendTorsionWB.core.end_cut import SQUARE, EndCut, with_end_cuts
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.frames import FrameInput, surface_frames
-from BendTorsionWB.core.member import Member
-from BendTorsionWB.core.plates import split_plates
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.surface import Cylinder, Plane
-from BendTorsionWB.core.zones import Segment, section_law
+from BendTorsionWB.core.geometry.surface import Cylinder, Plane
+from BendTorsionWB.core.members.end_cut import SQUARE, EndCut, with_end_cuts
+from BendTorsionWB.core.members.member import Member
+from BendTorsionWB.core.members.zones import Segment, section_law
+from BendTorsionWB.core.plates.plates import split_plates
+from BendTorsionWB.core.sections.section import box
 
 S800 = box("B800", "box1", 800, 600, 20, gap1=2, gap2=3)
 RADIUS = 12000.0

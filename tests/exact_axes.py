@@ -9,12 +9,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from BendTorsionWB.core.axis import Axis
-from BendTorsionWB.core.curve import Curve
-from BendTorsionWB.core.nurbs import NurbsPatch
-from BendTorsionWB.core.patches import PatchSurface
-from BendTorsionWB.core.piecewise import resolve
-from BendTorsionWB.core.surface import Ellipsoid, Surface, Torus
+from BendTorsionWB.core.axes.axis import Axis
+from BendTorsionWB.core.geometry.curve import Curve
+from BendTorsionWB.core.geometry.nurbs import NurbsPatch
+from BendTorsionWB.core.geometry.patches import PatchSurface
+from BendTorsionWB.core.geometry.piecewise import resolve
+from BendTorsionWB.core.geometry.surface import Ellipsoid, Surface, Torus
 
 HALL = (40e3, 30e3, 20e3)
 _GAUSS = np.polynomial.legendre.leggauss(16)

@@ -4,12 +4,12 @@
 import numpy as np
 from curved_members import ELLIPSOID, HALF_AXES, diagonal, member
 
-from BendTorsionWB.core.axis import fit_axis
-from BendTorsionWB.core.frames import FrameInput, frames_of
-from BendTorsionWB.core.member import Member
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.surface import analytic_surface
-from BendTorsionWB.core.zones import Segment, section_law
+from BendTorsionWB.core.axes.axis import fit_axis
+from BendTorsionWB.core.axes.frames import FrameInput, frames_of
+from BendTorsionWB.core.geometry.surface import analytic_surface
+from BendTorsionWB.core.members.member import Member
+from BendTorsionWB.core.members.zones import Segment, section_law
+from BendTorsionWB.core.sections.section import box
 
 PLANE = analytic_surface("plane", {})
 

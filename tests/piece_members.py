@@ -4,13 +4,13 @@
 import numpy as np
 import pytest
 
-from BendTorsionWB.core.axis_input import AxisInput
+from BendTorsionWB.core.axes.axis_input import AxisInput
 from BendTorsionWB.core.detailing import MemberInput, MemberJob, PlatesInput, detail
-from BendTorsionWB.core.pieces import PieceInput, end_words
-from BendTorsionWB.core.plates import Joints
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.surface import Plane
-from BendTorsionWB.core.zones import Segment
+from BendTorsionWB.core.geometry.surface import Plane
+from BendTorsionWB.core.joints.pieces import PieceInput, end_words
+from BendTorsionWB.core.members.zones import Segment
+from BendTorsionWB.core.plates.plates import Joints
+from BendTorsionWB.core.sections.section import box
 
 BIG = box("B800", "box1", 800, 600, 20, gap1=2, gap2=2)
 SMALL = box("B600", "box1", 600, 600, 20, gap1=2, gap2=2)

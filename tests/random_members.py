@@ -6,14 +6,14 @@ from functools import lru_cache
 import numpy as np
 from curved_members import ELLIPSOID, diagonal, irregular, oblique, on_torus
 
-from BendTorsionWB.core.axis import fit_axis
-from BendTorsionWB.core.frames import surface_frames
-from BendTorsionWB.core.member import Member
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.section_types import channel, i_section, trapezoid
-from BendTorsionWB.core.segment import ALIGNMENTS, TRANSITIONS, Segment
-from BendTorsionWB.core.surface import analytic_surface
-from BendTorsionWB.core.zones import section_law
+from BendTorsionWB.core.axes.axis import fit_axis
+from BendTorsionWB.core.axes.frames import surface_frames
+from BendTorsionWB.core.geometry.surface import analytic_surface
+from BendTorsionWB.core.members.member import Member
+from BendTorsionWB.core.members.segment import ALIGNMENTS, TRANSITIONS, Segment
+from BendTorsionWB.core.members.zones import section_law
+from BendTorsionWB.core.sections.section import box
+from BendTorsionWB.core.sections.section_types import channel, i_section, trapezoid
 
 TORUS = analytic_surface("torus", {"R": 30000.0, "r": 8000.0})
 CURVES = ((diagonal, ELLIPSOID), (oblique, ELLIPSOID), (on_torus, TORUS))

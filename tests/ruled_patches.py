@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from BendTorsionWB.core.piecewise import resolve
+from BendTorsionWB.core.geometry.piecewise import resolve
 
 
 def rails(function, length, spans=9):

@@ -5,10 +5,10 @@ import numpy as np
 import pytest
 from curved_members import ELLIPSOID, HALF_AXES, diagonal, irregular, oblique, on_torus, rotation
 
-from BendTorsionWB.core.axis import axis_from_curve, fit_axis
-from BendTorsionWB.core.curve import Curve
+from BendTorsionWB.core.axes.axis import axis_from_curve, fit_axis
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.surface import analytic_surface
+from BendTorsionWB.core.geometry.curve import Curve
+from BendTorsionWB.core.geometry.surface import analytic_surface
 
 TORUS = analytic_surface("torus", {"R": 30000.0, "r": 8000.0})
 PLANE = analytic_surface("plane", {})

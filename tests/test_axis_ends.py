@@ -5,16 +5,16 @@ import numpy as np
 import pytest
 from exact_axes import curves
 
-from BendTorsionWB.core.axis import axis_from_curve, fit_axis
-from BendTorsionWB.core.axis_ends import AxisEnd, with_ends
-from BendTorsionWB.core.axis_input import AxisInput, axis_from
-from BendTorsionWB.core.axis_places import crossings, cut_place
-from BendTorsionWB.core.axis_preset import Preset, with_preset
-from BendTorsionWB.core.axis_rule import Geodesic, PlaneSection
-from BendTorsionWB.core.curve import Curve
+from BendTorsionWB.core.axes.axis import axis_from_curve, fit_axis
+from BendTorsionWB.core.axes.axis_ends import AxisEnd, with_ends
+from BendTorsionWB.core.axes.axis_input import AxisInput, axis_from
+from BendTorsionWB.core.axes.axis_places import crossings, cut_place
+from BendTorsionWB.core.axes.axis_preset import Preset, with_preset
+from BendTorsionWB.core.axes.axis_rule import Geodesic, PlaneSection
+from BendTorsionWB.core.axes.frames import surface_frames
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.frames import surface_frames
-from BendTorsionWB.core.surface import Ellipsoid, Sphere
+from BendTorsionWB.core.geometry.curve import Curve
+from BendTorsionWB.core.geometry.surface import Ellipsoid, Sphere
 
 HALL = Ellipsoid(40e3, 30e3, 20e3)
 EXACT = curves()["E-diag"]

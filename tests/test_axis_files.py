@@ -10,7 +10,7 @@ import numpy as np
 import Part
 import pytest
 
-from BendTorsionWB.core.axis_input import AxisInput, axis_from
+from BendTorsionWB.core.axes.axis_input import AxisInput, axis_from
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.exchange.curve_files import dxf_axes, dxf_axis
 from BendTorsionWB.shapes.curve_files import part_axis

@@ -5,13 +5,13 @@ import numpy as np
 import pytest
 from exact_axes import curves
 
-from BendTorsionWB.core.axis import axis_from_curve, fit_axis, fit_uncertainty
-from BendTorsionWB.core.axis_fit import Refinement
-from BendTorsionWB.core.axis_input import AxisInput, axis_from, axis_uncertainty
-from BendTorsionWB.core.axis_smoothness import smoothness
-from BendTorsionWB.core.curve import Curve
+from BendTorsionWB.core.axes.axis import axis_from_curve, fit_axis, fit_uncertainty
+from BendTorsionWB.core.axes.axis_fit import Refinement
+from BendTorsionWB.core.axes.axis_input import AxisInput, axis_from, axis_uncertainty
+from BendTorsionWB.core.axes.axis_smoothness import smoothness
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.surface import Ellipsoid, Offset, Sphere
+from BendTorsionWB.core.geometry.curve import Curve
+from BendTorsionWB.core.geometry.surface import Ellipsoid, Offset, Sphere
 
 HALL = Ellipsoid(40e3, 30e3, 20e3)
 CURVES = curves()

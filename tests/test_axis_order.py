@@ -5,10 +5,10 @@ import numpy as np
 import pytest
 from exact_axes import curves
 
-from BendTorsionWB.core.axis_input import AxisInput, axis_from
-from BendTorsionWB.core.axis_order import chain_curves, chain_points, chain_segments
-from BendTorsionWB.core.curve import Curve
+from BendTorsionWB.core.axes.axis_input import AxisInput, axis_from
+from BendTorsionWB.core.axes.axis_order import chain_curves, chain_points, chain_segments
 from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.core.geometry.curve import Curve
 
 CURVES = curves()
 

@@ -5,13 +5,21 @@ import numpy as np
 import pytest
 from exact_axes import free_form
 
-from BendTorsionWB.core.axis import arc_length_position, axis_from_curve
-from BendTorsionWB.core.axis_input import AxisInput, axis_from
-from BendTorsionWB.core.axis_iso import IsoCurve, iso_curve
-from BendTorsionWB.core.axis_rule import Geodesic, PlaneSection
+from BendTorsionWB.core.axes.axis import arc_length_position, axis_from_curve
+from BendTorsionWB.core.axes.axis_input import AxisInput, axis_from
+from BendTorsionWB.core.axes.axis_iso import IsoCurve, iso_curve
+from BendTorsionWB.core.axes.axis_rule import Geodesic, PlaneSection
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.patches import PatchSurface
-from BendTorsionWB.core.surface import Cylinder, Ellipsoid, Flipped, Offset, Plane, Sphere, Torus
+from BendTorsionWB.core.geometry.patches import PatchSurface
+from BendTorsionWB.core.geometry.surface import (
+    Cylinder,
+    Ellipsoid,
+    Flipped,
+    Offset,
+    Plane,
+    Sphere,
+    Torus,
+)
 
 HALL = Ellipsoid(40e3, 30e3, 20e3)
 RING = Torus(30e3, 8e3)

@@ -6,22 +6,22 @@ import numpy as np
 import pytest
 
 from BendTorsionWB.core import detailing
-from BendTorsionWB.core.axis import fit_axis
-from BendTorsionWB.core.axis_input import AxisInput, axis_from
-from BendTorsionWB.core.bed import SEAT_INSET, bed_of, saddle_places, steep_findings
-from BendTorsionWB.core.bed_face import BedInput, least_direction
-from BendTorsionWB.core.diaphragms import Diaphragm
-from BendTorsionWB.core.end_cut import EndCut
+from BendTorsionWB.core.axes.axis import fit_axis
+from BendTorsionWB.core.axes.axis_input import AxisInput, axis_from
+from BendTorsionWB.core.axes.frames import surface_frames
+from BendTorsionWB.core.beds.bed import SEAT_INSET, bed_of, saddle_places, steep_findings
+from BendTorsionWB.core.beds.bed_face import BedInput, least_direction
+from BendTorsionWB.core.beds.templates import convex_hull, offset_outline, section_outline
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.frames import surface_frames
-from BendTorsionWB.core.member import Member
-from BendTorsionWB.core.pieces import PieceInput
-from BendTorsionWB.core.rigid import inverse, moved
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.section_types import i_section
-from BendTorsionWB.core.surface import analytic_surface
-from BendTorsionWB.core.templates import convex_hull, offset_outline, section_outline
-from BendTorsionWB.core.zones import Segment, section_law
+from BendTorsionWB.core.geometry.rigid import inverse, moved
+from BendTorsionWB.core.geometry.surface import analytic_surface
+from BendTorsionWB.core.joints.pieces import PieceInput
+from BendTorsionWB.core.members.end_cut import EndCut
+from BendTorsionWB.core.members.member import Member
+from BendTorsionWB.core.members.zones import Segment, section_law
+from BendTorsionWB.core.plates.diaphragms import Diaphragm
+from BendTorsionWB.core.sections.section import box
+from BendTorsionWB.core.sections.section_types import i_section
 
 BOX = box("B", "box1", 800, 600, 16)
 TAPERED = curved_members.tapered()

@@ -15,21 +15,22 @@ from flat_plates import member as record_of
 from flat_plates import rectangle
 
 from BendTorsionWB import make
-from BendTorsionWB.core.bed import bed_of
-from BendTorsionWB.core.bed_face import BedInput
-from BendTorsionWB.core.lofting import FlatHole
-from BendTorsionWB.core.pattern import develop_plate
-from BendTorsionWB.core.placing import (
+from BendTorsionWB.core.beds.bed import bed_of
+from BendTorsionWB.core.beds.bed_face import BedInput
+from BendTorsionWB.core.beds.placing import (
     from_placing,
     pattern_to_placing,
     placing_to_pattern,
     to_placing,
 )
-from BendTorsionWB.core.plates import split_plates
-from BendTorsionWB.core.sheet import boxes_overlap, text_box
-from BendTorsionWB.core.sheet_bed import bed_page, seat_rows
-from BendTorsionWB.core.sheet_layout import member_sheets
-from BendTorsionWB.core.sheet_style import PLAIN_STYLE
+from BendTorsionWB.core.drawings.sheet import boxes_overlap, text_box
+from BendTorsionWB.core.drawings.sheet_bed import bed_page, seat_rows
+from BendTorsionWB.core.drawings.sheet_layout import member_sheets
+from BendTorsionWB.core.drawings.sheet_style import PLAIN_STYLE
+from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.core.lofting import FlatHole
+from BendTorsionWB.core.patterns.pattern import develop_plate
+from BendTorsionWB.core.plates.plates import split_plates
 from BendTorsionWB.exchange.results_workbook import write_results
 from BendTorsionWB.exchange.template_dxf import template_dxf
 from BendTorsionWB.objects.proxy import findings_of
@@ -306,5 +307,5 @@ def test_a_strain_map_of_a_plate_of_the_document(document, tmp_path):
     _, _, _, unfold, _, _ = document
     make.write_strain_map(unfold, "M1-B1", tmp_path / "b1.svg")
     assert "M1-B1: strain" in (tmp_path / "b1.svg").read_text(encoding="utf-8")
-    with pytest.raises(KeyError):
+    with pytest.raises(BendTorsionError, match="M9-B1"):
         make.write_strain_map(unfold, "M9-B1", tmp_path / "no.svg")

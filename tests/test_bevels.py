@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 from flat_plates import rectangle
 
-from BendTorsionWB.core.bevels import SHORTEST_STRETCH, with_bevels
-from BendTorsionWB.core.cut_contour import cut_contour
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.gross import gross_pattern
 from BendTorsionWB.core.lofting import PlateEdge
-from BendTorsionWB.core.preps import prep_of
-from BendTorsionWB.core.weld_record import Weld
+from BendTorsionWB.core.patterns.cut_contour import cut_contour
+from BendTorsionWB.core.patterns.gross import gross_pattern
+from BendTorsionWB.core.welds.bevels import SHORTEST_STRETCH, with_bevels
+from BendTorsionWB.core.welds.preps import prep_of
+from BendTorsionWB.core.welds.weld_record import Weld
 from BendTorsionWB.exchange.dxf_bevels import bevel_text
 
 LENGTH, WIDTH, THICKNESS = 2400.0, 800.0, 20.0

@@ -19,9 +19,9 @@ from BendTorsionWB.core.colour_scale import (
     colouring,
     hex_text,
 )
-from BendTorsionWB.core.pattern import develop_plate
-from BendTorsionWB.core.plates import split_plates
-from BendTorsionWB.core.strain_map import strain_map
+from BendTorsionWB.core.patterns.pattern import develop_plate
+from BendTorsionWB.core.patterns.strain_map import strain_map
+from BendTorsionWB.core.plates.plates import split_plates
 from BendTorsionWB.sheets.strain_picture import strain_svg, write_strain_picture
 
 PLATES = split_plates(curved_members.tapered(), {})[0]

@@ -16,11 +16,11 @@ from curved_members import ELLIPSOID, HALF_AXES, diagonal, irregular
 from BendTorsionWB.core import detailing, memo
 from BendTorsionWB.core.detailing import AxisInput, MemberInput, MemberJob, PlatesInput
 from BendTorsionWB.core.finding import BendTorsionError, Finding
+from BendTorsionWB.core.geometry.surface import analytic_surface
 from BendTorsionWB.core.lofting import failed_record
-from BendTorsionWB.core.plates import Joints
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.surface import analytic_surface
-from BendTorsionWB.core.zones import Segment
+from BendTorsionWB.core.members.zones import Segment
+from BendTorsionWB.core.plates.plates import Joints
+from BendTorsionWB.core.sections.section import box
 
 ROOT = Path(__file__).resolve().parent.parent
 

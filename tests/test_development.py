@@ -6,12 +6,12 @@ import pytest
 from curved_members import member, rotation, tapered
 from geodesic import path_length
 
-from BendTorsionWB.core.development import develop, shape_of, strain
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.piecewise import Piecewise, resolve
-from BendTorsionWB.core.plates import split_plates
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.zones import Segment
+from BendTorsionWB.core.flattening.development import develop, shape_of, strain
+from BendTorsionWB.core.geometry.piecewise import Piecewise, resolve
+from BendTorsionWB.core.members.zones import Segment
+from BendTorsionWB.core.plates.plates import split_plates
+from BendTorsionWB.core.sections.section import box
 
 
 def ruled(first, second, length, spans=6):

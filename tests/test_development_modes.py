@@ -8,12 +8,12 @@ import pytest
 import ruled_patches
 
 from BendTorsionWB import make
-from BendTorsionWB.core.development import develop, flat_area, principal_strains, strain
-from BendTorsionWB.core.elastic import relaxed
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.locate import locate
-from BendTorsionWB.core.pattern import MODES, develop_plate
-from BendTorsionWB.core.plates import Joints, split_plates
+from BendTorsionWB.core.flattening.development import develop, flat_area, principal_strains, strain
+from BendTorsionWB.core.flattening.elastic import relaxed
+from BendTorsionWB.core.flattening.locate import locate
+from BendTorsionWB.core.patterns.pattern import MODES, develop_plate
+from BendTorsionWB.core.plates.plates import Joints, split_plates
 
 ACROSS = np.linspace(0.0, 1.0, 7)
 

@@ -8,21 +8,22 @@ import pytest
 from curved_members import ELLIPSOID, hand_frames, tapered
 from schedule_books import findings
 
-from BendTorsionWB.core import arc_contour, tolerances
-from BendTorsionWB.core.axis import fit_axis
-from BendTorsionWB.core.diaphragm_input import Closing, Diaphragm, closing_of
-from BendTorsionWB.core.diaphragms import flat_parts
-from BendTorsionWB.core.flat_plate import developed_flat
-from BendTorsionWB.core.frames import FrameInput, frames_of
-from BendTorsionWB.core.frames_law import GivenDirection
-from BendTorsionWB.core.hole_shape import hole_shape, placed_hole
-from BendTorsionWB.core.member import Member
-from BendTorsionWB.core.plate_parts import with_parts
-from BendTorsionWB.core.plates import split_plates
-from BendTorsionWB.core.section import Material, box
-from BendTorsionWB.core.section_types import i_section
-from BendTorsionWB.core.surface import analytic_surface
-from BendTorsionWB.core.zones import Segment, section_law
+from BendTorsionWB.core import tolerances
+from BendTorsionWB.core.axes.axis import fit_axis
+from BendTorsionWB.core.axes.frames import FrameInput, frames_of
+from BendTorsionWB.core.axes.frames_law import GivenDirection
+from BendTorsionWB.core.geometry import arc_contour
+from BendTorsionWB.core.geometry.surface import analytic_surface
+from BendTorsionWB.core.members.member import Member
+from BendTorsionWB.core.members.zones import Segment, section_law
+from BendTorsionWB.core.plates.diaphragm_input import Closing, Diaphragm, closing_of
+from BendTorsionWB.core.plates.diaphragms import flat_parts
+from BendTorsionWB.core.plates.flat_plate import developed_flat
+from BendTorsionWB.core.plates.hole_shape import hole_shape, placed_hole
+from BendTorsionWB.core.plates.plate_parts import with_parts
+from BendTorsionWB.core.plates.plates import split_plates
+from BendTorsionWB.core.sections.section import Material, box
+from BendTorsionWB.core.sections.section_types import i_section
 
 PLANE = analytic_surface("plane", {})
 

@@ -13,8 +13,8 @@ import pytest
 from ezdxf.math import bulge_to_arc
 from flat_plates import annular_sector, rectangle, wavy
 
-from BendTorsionWB.core.arc_fit import deviation, enclosed_area, fit_arcs, fit_outline
 from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.core.geometry.arc_fit import deviation, enclosed_area, fit_arcs, fit_outline
 from BendTorsionWB.exchange.dxf import LAYERS, write_plate_dxf
 from BendTorsionWB.exchange.whole_file import whole_file, write_whole
 

@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 import ruled_patches
 
-from BendTorsionWB.core.edge_faces import face_outline
-from BendTorsionWB.core.gross import polygon_area
-from BendTorsionWB.core.laid_flat import PatternInput, laid_flat
-from BendTorsionWB.core.lanes import Lanes
-from BendTorsionWB.core.plates import split_plates
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.section_types import i_section, polygon
-from BendTorsionWB.core.surface import analytic_surface
-from BendTorsionWB.core.zones import Segment
+from BendTorsionWB.core.geometry.surface import analytic_surface
+from BendTorsionWB.core.joints.lanes import Lanes
+from BendTorsionWB.core.members.zones import Segment
+from BendTorsionWB.core.patterns.gross import polygon_area
+from BendTorsionWB.core.patterns.laid_flat import PatternInput, laid_flat
+from BendTorsionWB.core.plates.edge_faces import face_outline
+from BendTorsionWB.core.plates.plates import split_plates
+from BendTorsionWB.core.sections.section import box
+from BendTorsionWB.core.sections.section_types import i_section, polygon
 
 DEGREE = np.pi / 180.0
 PLANE = analytic_surface("plane", {})

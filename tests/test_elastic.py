@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 import ruled_patches
 
-from BendTorsionWB.core.development import develop, principal_strains
-from BendTorsionWB.core.elastic import distance, membrane_energy, relaxed
-from BendTorsionWB.core.piecewise import Piecewise
-from BendTorsionWB.core.plates import Joints, split_plates
+from BendTorsionWB.core.flattening.development import develop, principal_strains
+from BendTorsionWB.core.flattening.elastic import distance, membrane_energy, relaxed
+from BendTorsionWB.core.geometry.piecewise import Piecewise
+from BendTorsionWB.core.plates.plates import Joints, split_plates
 
 WIDTH = 800.0
 

@@ -16,13 +16,13 @@ from cut_members import (
     straight,
 )
 
-from BendTorsionWB.core.contour import end_curves
 from BendTorsionWB.core.detailing import detail
-from BendTorsionWB.core.end_cut import SQUARE, EndCut, with_end_cuts
-from BendTorsionWB.core.plates import Joints, split_plates
-from BendTorsionWB.core.strips import strip_rails
-from BendTorsionWB.core.surface import Cylinder, Sphere
-from BendTorsionWB.core.zones import Segment
+from BendTorsionWB.core.geometry.surface import Cylinder, Sphere
+from BendTorsionWB.core.members.contour import end_curves
+from BendTorsionWB.core.members.end_cut import SQUARE, EndCut, with_end_cuts
+from BendTorsionWB.core.members.strips import strip_rails
+from BendTorsionWB.core.members.zones import Segment
+from BendTorsionWB.core.plates.plates import Joints, split_plates
 
 SKEW = EndCut("plane", normal=(1.0, 0.0, 0.6))
 

@@ -7,11 +7,12 @@ import pytest
 from curved_members import ELLIPSOID
 from cut_members import straight
 
-from BendTorsionWB.core import detailing, solid_skins
-from BendTorsionWB.core.cut_skin import cut_skin_area
-from BendTorsionWB.core.end_cut import EndCut
-from BendTorsionWB.core.frames import FrameInput
-from BendTorsionWB.core.surface import Cylinder
+from BendTorsionWB.core import detailing
+from BendTorsionWB.core.axes.frames import FrameInput
+from BendTorsionWB.core.geometry.surface import Cylinder
+from BendTorsionWB.core.members.end_cut import EndCut
+from BendTorsionWB.core.solids import solid_skins
+from BendTorsionWB.core.solids.cut_skin import cut_skin_area
 from BendTorsionWB.exchange.dxf import write_plate_dxf
 from BendTorsionWB.shapes import cut_solid
 

@@ -18,18 +18,19 @@ from cut_members import (
     straight,
 )
 
-from BendTorsionWB.core import detailing, solid_skins
-from BendTorsionWB.core.contour_measure import trimmed_figures
+from BendTorsionWB.core import detailing
+from BendTorsionWB.core.axes.frames import FrameInput
+from BendTorsionWB.core.axes.frames_screw import running_on
 from BendTorsionWB.core.detailing import detail
-from BendTorsionWB.core.end_cut import EndCut
-from BendTorsionWB.core.frames import FrameInput
-from BendTorsionWB.core.frames_screw import running_on
-from BendTorsionWB.core.mass import solid_figures
-from BendTorsionWB.core.pattern import develop_plate
-from BendTorsionWB.core.plates import split_plates
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.surface import Cylinder, Plane, Sphere
-from BendTorsionWB.core.zones import Segment
+from BendTorsionWB.core.geometry.surface import Cylinder, Plane, Sphere
+from BendTorsionWB.core.members.contour_measure import trimmed_figures
+from BendTorsionWB.core.members.end_cut import EndCut
+from BendTorsionWB.core.members.zones import Segment
+from BendTorsionWB.core.patterns.pattern import develop_plate
+from BendTorsionWB.core.plates.plates import split_plates
+from BendTorsionWB.core.sections.section import box
+from BendTorsionWB.core.solids import solid_skins
+from BendTorsionWB.core.solids.mass import solid_figures
 
 
 def at_plane(y, z):

@@ -7,8 +7,8 @@ import pytest
 import Spreadsheet  # noqa: F401  (registers Spreadsheet::Sheet)
 
 from BendTorsionWB import make
-from BendTorsionWB.core import section_catalogue
-from BendTorsionWB.core.section_properties import section_properties
+from BendTorsionWB.core.sections import section_catalogue
+from BendTorsionWB.core.sections.section_properties import section_properties
 from BendTorsionWB.objects import section_spec
 
 NUMBERS = (
@@ -82,7 +82,8 @@ OTHERWISE = {"Segments", "Cut1", "CutRatio1", "CutOffset1", "Slope1"}
 def everything():
     document = FreeCAD.newDocument("names", hidden=True)
     section = make.make_section(document, "S")
-    member = make.make_member(document, "M", None, [section, section])
+    axis = make.make_axis(document, "A", make.make_surface(document))
+    member = make.make_member(document, "M", axis, [section, section])
     found = [("section", name) for name in numbers(section)]
     found += [("member", name) for name in numbers(member)]
     FreeCAD.closeDocument(document.Name)

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 import ruled_patches
 
-from BendTorsionWB.core.development import develop, flat_area
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.flattened_surface import SURFACES, on_surface
-from BendTorsionWB.core.flattening_errors import curved_area, flattening_errors
-from BendTorsionWB.core.laid_flat import PatternInput, laid_flat
-from BendTorsionWB.core.measure import panel_samples
-from BendTorsionWB.core.pattern import MODES, pattern_of
-from BendTorsionWB.core.plates import Joints, split_plates
+from BendTorsionWB.core.flattening.development import develop, flat_area
+from BendTorsionWB.core.flattening.measure import panel_samples
+from BendTorsionWB.core.patterns.flattened_surface import SURFACES, on_surface
+from BendTorsionWB.core.patterns.flattening_errors import curved_area, flattening_errors
+from BendTorsionWB.core.patterns.laid_flat import PatternInput, laid_flat
+from BendTorsionWB.core.patterns.pattern import MODES, pattern_of
+from BendTorsionWB.core.plates.plates import Joints, split_plates
 
 
 @pytest.fixture(scope="module")

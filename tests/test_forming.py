@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 import ruled_patches
 
-from BendTorsionWB.core.development import ACROSS, develop, shape_inside, shape_of
-from BendTorsionWB.core.forming import (
+from BendTorsionWB.core.flattening.development import ACROSS, develop, shape_inside, shape_of
+from BendTorsionWB.core.patterns.forming import (
     FormingRules,
     flat_deviation,
     fold_direction,
@@ -15,9 +15,9 @@ from BendTorsionWB.core.forming import (
     pull_down,
     roll_lines_of,
 )
-from BendTorsionWB.core.pattern import develop_plate
-from BendTorsionWB.core.plates import Joints, split_plates
-from BendTorsionWB.core.section import Material
+from BendTorsionWB.core.patterns.pattern import develop_plate
+from BendTorsionWB.core.plates.plates import Joints, split_plates
+from BendTorsionWB.core.sections.section import Material
 
 STEEL = Material()
 SHEAR = STEEL.e / 2.6

@@ -5,13 +5,13 @@ import numpy as np
 import pytest
 from curved_members import ELLIPSOID, HALF_AXES, diagonal, hand_frames, irregular, oblique, rotation
 
-from BendTorsionWB.core.axis import axis_from_curve, fit_axis
-from BendTorsionWB.core.curve import Curve
+from BendTorsionWB.core.axes.axis import axis_from_curve, fit_axis
+from BendTorsionWB.core.axes.frames import surface_frames, torsion_angle
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.frames import surface_frames, torsion_angle
-from BendTorsionWB.core.member import Member
-from BendTorsionWB.core.piecewise import sample
-from BendTorsionWB.core.surface import Flipped, analytic_surface
+from BendTorsionWB.core.geometry.curve import Curve
+from BendTorsionWB.core.geometry.piecewise import sample
+from BendTorsionWB.core.geometry.surface import Flipped, analytic_surface
+from BendTorsionWB.core.members.member import Member
 
 
 def framed(curve=diagonal, count=9, surface=ELLIPSOID, **more):

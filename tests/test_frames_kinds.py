@@ -7,10 +7,9 @@ import numpy as np
 import pytest
 from exact_axes import curves
 
-from BendTorsionWB.core.axis_input import AxisInput, axis_from
-from BendTorsionWB.core.axis_preset import Preset
-from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.frames import (
+from BendTorsionWB.core.axes.axis_input import AxisInput, axis_from
+from BendTorsionWB.core.axes.axis_preset import Preset
+from BendTorsionWB.core.axes.frames import (
     FRAMES,
     FrameInput,
     frames_of,
@@ -18,8 +17,9 @@ from BendTorsionWB.core.frames import (
     wanted_z,
     winding_number,
 )
-from BendTorsionWB.core.frames_law import GivenDirection
-from BendTorsionWB.core.surface import Plane
+from BendTorsionWB.core.axes.frames_law import GivenDirection
+from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.core.geometry.surface import Plane
 
 CURVES = curves()
 AXES = {name: curve.axis() for name, curve in CURVES.items()}

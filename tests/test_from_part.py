@@ -11,9 +11,17 @@ import pytest
 from FreeCAD import Placement, Rotation, Vector
 
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.nurbs import NurbsPatch
-from BendTorsionWB.core.patches import PatchSurface
-from BendTorsionWB.core.surface import Cone, Cylinder, Ellipsoid, Flipped, Plane, Sphere, Torus
+from BendTorsionWB.core.geometry.nurbs import NurbsPatch
+from BendTorsionWB.core.geometry.patches import PatchSurface
+from BendTorsionWB.core.geometry.surface import (
+    Cone,
+    Cylinder,
+    Ellipsoid,
+    Flipped,
+    Plane,
+    Sphere,
+    Torus,
+)
 from BendTorsionWB.shapes.from_part import curve_from_part, patch_from_face, surface_from_part
 
 HALF = math.atan(0.5)

@@ -11,12 +11,18 @@ from curved_members import member, tapered
 from flat_plates import rectangle
 
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.gross import Allowances, as_cut, gross_pattern, polygon_area, with_gross
-from BendTorsionWB.core.laid_flat import PatternInput, laid_flat
-from BendTorsionWB.core.lanes import Lanes
-from BendTorsionWB.core.plates import Joints, split_plates
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.zones import Segment
+from BendTorsionWB.core.joints.lanes import Lanes
+from BendTorsionWB.core.members.zones import Segment
+from BendTorsionWB.core.patterns.gross import (
+    Allowances,
+    as_cut,
+    gross_pattern,
+    polygon_area,
+    with_gross,
+)
+from BendTorsionWB.core.patterns.laid_flat import PatternInput, laid_flat
+from BendTorsionWB.core.plates.plates import Joints, split_plates
+from BendTorsionWB.core.sections.section import box
 from BendTorsionWB.exchange.dxf import plate_dxf
 from BendTorsionWB.exchange.nc1 import plate_nc1
 

@@ -8,10 +8,10 @@ from test_joint_solver import FACES, box_run, keeps_all
 
 from BendTorsionWB.core import rules as rule_packs
 from BendTorsionWB.core.detailing import PlatesInput
-from BendTorsionWB.core.diaphragm_input import Diaphragm
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.joint_solver import KEEP_OUTS, JointRules, solve_run
-from BendTorsionWB.core.plates import Joints, split_plates
+from BendTorsionWB.core.joints.joint_solver import KEEP_OUTS, JointRules, solve_run
+from BendTorsionWB.core.plates.diaphragm_input import Diaphragm
+from BendTorsionWB.core.plates.plates import Joints, split_plates
 
 
 def clear(joints, places, distance):

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.joint_solver import FaceRun, JointRules, solve_joints, solve_run
-from BendTorsionWB.core.pattern import develop_plate
-from BendTorsionWB.core.plates import Joints, split_plates
-from BendTorsionWB.core.section import NEIGHBOURS
+from BendTorsionWB.core.joints.joint_solver import FaceRun, JointRules, solve_joints, solve_run
+from BendTorsionWB.core.patterns.pattern import develop_plate
+from BendTorsionWB.core.plates.plates import Joints, split_plates
+from BendTorsionWB.core.sections.section import NEIGHBOURS
 
 FACES = tuple(NEIGHBOURS)
 

@@ -6,12 +6,12 @@ import pytest
 from curved_members import member, tapered
 
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.joint_solver import JointRules
-from BendTorsionWB.core.laid_flat import laid_flat
-from BendTorsionWB.core.lanes import Lanes
-from BendTorsionWB.core.plates import Joints, split_plates
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.zones import Segment
+from BendTorsionWB.core.joints.joint_solver import JointRules
+from BendTorsionWB.core.joints.lanes import Lanes
+from BendTorsionWB.core.members.zones import Segment
+from BendTorsionWB.core.patterns.laid_flat import laid_flat
+from BendTorsionWB.core.plates.plates import Joints, split_plates
+from BendTorsionWB.core.sections.section import box
 
 FACES = ("top", "bottom", "left", "right")
 

@@ -19,7 +19,8 @@ BELOW = {
     "exchange": ("core",),
     "sheets": ("core",),
     "objects": ("shapes", "sheets"),
-    "make": ("objects",),
+    "make_plates": ("objects",),
+    "make": ("make_plates",),
     "source_files": ("shapes", "exchange"),
     "document": ("make", "source_files"),
     "document_difference": ("document",),
@@ -48,6 +49,11 @@ BELOW = {
     "__main__": ("round_trip", "document_export", "document_templates", "console"),
 }
 EVERYWHERE = ("", "freecad_path")  # the package itself holds the version only
+# The rooms of core, each using those before it only.
+ROOMS = (
+    *("geometry", "flattening", "axes", "sections", "members", "joints", "plates", "solids"),
+    *("welds", "patterns", "nodes", "beds", "drawings"),
+)
 FREECAD = {"FreeCAD", "Part", "Mesh", "MeshPart", "TechDraw", "Spreadsheet", "Import", "Draft"}
 WINDOW = {"FreeCADGui", "TechDrawGui", "ImportGui", "PySide", "PySide2", "PySide6", "pivy"}
 CORE_LIBRARIES = {"numpy", "scipy"}
@@ -139,6 +145,30 @@ def test_imports_point_downwards(path):
     assert not found, "\n".join(found)
 
 
+def run_imports(tree):
+    """The tree without what is imported for type checkers only."""
+    tree.body = [
+        node
+        for node in tree.body
+        if not (isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING")
+    ]
+    return tree
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / PACKAGE / "core").glob("*/*.py")), ids=module_name)
+def test_rooms_of_core_stand_in_order(path):
+    """A room of core uses those before it, never one after it."""
+    module = module_name(path)
+    after = ROOMS[ROOMS.index(path.parent.name) + 1 :]
+    tree = run_imports(ast.parse(path.read_text(encoding="utf-8")))
+    found = [
+        f"{path.name}:{line}: {name}"
+        for name, line, _ in imports(tree, module, path.name == "__init__.py")
+        if name.split(".")[:2] == [PACKAGE, "core"] and name.split(".")[2] in after
+    ]
+    assert not found, "\n".join(found)
+
+
 def test_the_rules_catch_what_they_forbid():
     """Each forbidden direction is seen as one, and each allowed one is not."""
     assert faults("core", "BendTorsionWB.shapes.brep", False)
@@ -155,8 +185,8 @@ def test_the_rules_catch_what_they_forbid():
     assert not faults("sheets", "PySide2", True)
     assert not faults("project", "BendTorsionWB.core.finding", False)
     assert not faults("make", "BendTorsionWB.sheets.pdf", False)
-    relative = ast.parse("from ..shapes import brep\ndef late():\n    import Part\n")
-    assert list(imports(relative, "BendTorsionWB.core.axis", False)) == [
+    relative = ast.parse("from ...shapes import brep\ndef late():\n    import Part\n")
+    assert list(imports(relative, "BendTorsionWB.core.axes.axis", False)) == [
         ("BendTorsionWB.shapes.brep", 1, False),
         ("Part", 3, True),
     ]

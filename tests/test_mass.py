@@ -6,13 +6,19 @@ import numpy as np
 import pytest
 
 from BendTorsionWB.core import detailing
-from BendTorsionWB.core.axis_input import AxisInput
-from BendTorsionWB.core.mass import solid_figures
-from BendTorsionWB.core.section import Material, box
-from BendTorsionWB.core.section_properties import section_properties
-from BendTorsionWB.core.section_types import channel, i_section, polygon, t_section, trapezoid
-from BendTorsionWB.core.surface import analytic_surface
-from BendTorsionWB.core.zones import Segment
+from BendTorsionWB.core.axes.axis_input import AxisInput
+from BendTorsionWB.core.geometry.surface import analytic_surface
+from BendTorsionWB.core.members.zones import Segment
+from BendTorsionWB.core.sections.section import Material, box
+from BendTorsionWB.core.sections.section_properties import section_properties
+from BendTorsionWB.core.sections.section_types import (
+    channel,
+    i_section,
+    polygon,
+    t_section,
+    trapezoid,
+)
+from BendTorsionWB.core.solids.mass import solid_figures
 from BendTorsionWB.shapes import brep
 
 PLANE = analytic_surface("plane", {})
@@ -105,7 +111,7 @@ def test_the_figures_are_the_kernel_s_where_the_kernel_is_exact():
         poles = np.stack(poles, axis=1)
         poles[:, 1:3] += rng.uniform(-8, 8, (count, 2, 3))
         poles[:, 3] = poles[:, 3] @ _turn(0.1).T
-        from BendTorsionWB.core.skin import SkinPiece
+        from BendTorsionWB.core.members.skin import SkinPiece
 
         [own] = solid_figures([[SkinPiece(knots, poles)]])
         solid = brep.tube_solid([(knots, poles)])

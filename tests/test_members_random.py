@@ -5,9 +5,10 @@ import numpy as np
 import pytest
 from random_members import random_member
 
-from BendTorsionWB.core import solid_skins, tolerances
-from BendTorsionWB.core.plates import split_plates
-from BendTorsionWB.core.volume import skin_volumes
+from BendTorsionWB.core import tolerances
+from BendTorsionWB.core.members.volume import skin_volumes
+from BendTorsionWB.core.plates.plates import split_plates
+from BendTorsionWB.core.solids import solid_skins
 from BendTorsionWB.shapes import brep
 
 

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from flat_plates import rectangle, strip
 
-from BendTorsionWB.core.bevel_record import EdgeBevel
 from BendTorsionWB.core.lofting import PlateEdge
+from BendTorsionWB.core.welds.bevel_record import EdgeBevel
 from BendTorsionWB.exchange.nc1 import plate_nc1
 
 

@@ -9,7 +9,7 @@ import pytest
 from curved_members import ELLIPSOID
 from meeting_members import along_x, at_angle, straight, twisted_pair
 
-from BendTorsionWB.core import arc_contour
+from BendTorsionWB.core.axes.frames import FrameInput
 from BendTorsionWB.core.detailing import (
     MemberGeometry,
     PlatesInput,
@@ -18,15 +18,15 @@ from BendTorsionWB.core.detailing import (
     torsion_error,
 )
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.frames import FrameInput
-from BendTorsionWB.core.node_faces import outer_faces
-from BendTorsionWB.core.node_input import NodeInput, NodeRules
-from BendTorsionWB.core.node_members import nodes_of_member, with_nodes
-from BendTorsionWB.core.nodes import find_nodes
-from BendTorsionWB.core.pattern import develop_plate
-from BendTorsionWB.core.plates import Joints, split_plates
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.zones import Segment
+from BendTorsionWB.core.geometry import arc_contour
+from BendTorsionWB.core.members.zones import Segment
+from BendTorsionWB.core.nodes.node_faces import outer_faces
+from BendTorsionWB.core.nodes.node_input import NodeInput, NodeRules
+from BendTorsionWB.core.nodes.node_members import nodes_of_member, with_nodes
+from BendTorsionWB.core.nodes.nodes import find_nodes
+from BendTorsionWB.core.patterns.pattern import develop_plate
+from BendTorsionWB.core.plates.plates import Joints, split_plates
+from BendTorsionWB.core.sections.section import box
 from BendTorsionWB.shapes import cut_solid
 from BendTorsionWB.shapes.flat_solid import flat_solid
 
@@ -80,7 +80,7 @@ def test_steps_and_angles_of_straight_members_are_the_lift_and_the_roll(lift, ro
 def rolled(member, roll):
     from dataclasses import replace
 
-    from BendTorsionWB.core.frames import frames_of
+    from BendTorsionWB.core.axes.frames import frames_of
 
     frames = frames_of(member.frames.axis, None, FrameInput("fixed", roll=roll))
     return replace(member, frames=frames)

@@ -7,16 +7,16 @@ import numpy as np
 import pytest
 from meeting_members import PLANE, along_x, at_angle, twisted_pair
 
+from BendTorsionWB.core.axes.frames import FrameInput
 from BendTorsionWB.core.detailing import MemberGeometry, painted_area
-from BendTorsionWB.core.frames import FrameInput
-from BendTorsionWB.core.node_faces import outer_faces
-from BendTorsionWB.core.node_input import NodeInput
-from BendTorsionWB.core.node_members import nodes_of_member, with_nodes
-from BendTorsionWB.core.nodes import find_nodes
-from BendTorsionWB.core.pattern import develop_plate
-from BendTorsionWB.core.pieces import with_pieces
-from BendTorsionWB.core.plates import Joints, split_plates
-from BendTorsionWB.core.section import box
+from BendTorsionWB.core.joints.pieces import with_pieces
+from BendTorsionWB.core.nodes.node_faces import outer_faces
+from BendTorsionWB.core.nodes.node_input import NodeInput
+from BendTorsionWB.core.nodes.node_members import nodes_of_member, with_nodes
+from BendTorsionWB.core.nodes.nodes import find_nodes
+from BendTorsionWB.core.patterns.pattern import develop_plate
+from BendTorsionWB.core.plates.plates import Joints, split_plates
+from BendTorsionWB.core.sections.section import box
 
 
 def cut_member(members, through, branch, rows=()):

@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 from meeting_members import along_x, at_angle, straight, twisted_pair
 
-from BendTorsionWB.core.node_cut import landings, outer_lines
-from BendTorsionWB.core.node_faces import outer_faces
-from BendTorsionWB.core.node_input import NodeInput, NodeRules
-from BendTorsionWB.core.nodes import find_nodes
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.section_types import i_section
-from BendTorsionWB.core.zones import Segment
+from BendTorsionWB.core.members.zones import Segment
+from BendTorsionWB.core.nodes.node_cut import landings, outer_lines
+from BendTorsionWB.core.nodes.node_faces import outer_faces
+from BendTorsionWB.core.nodes.node_input import NodeInput, NodeRules
+from BendTorsionWB.core.nodes.nodes import find_nodes
+from BendTorsionWB.core.sections.section import box
+from BendTorsionWB.core.sections.section_types import i_section
 
 
 def found(*members, ranks=None, rows=(), rules=None):

@@ -8,17 +8,17 @@ import pytest
 from curved_members import HALF_AXES
 from flat_plates import member, rectangle
 
-from BendTorsionWB.core.axis import fit_axis
-from BendTorsionWB.core.bevel_record import EdgeBevel
-from BendTorsionWB.core.frames import surface_frames
+from BendTorsionWB.core.axes.axis import fit_axis
+from BendTorsionWB.core.axes.frames import surface_frames
+from BendTorsionWB.core.geometry.surface import analytic_surface
 from BendTorsionWB.core.lofting import MemberRecord
-from BendTorsionWB.core.member import Member
-from BendTorsionWB.core.numbering import numbered
-from BendTorsionWB.core.pattern import develop_plate
-from BendTorsionWB.core.plates import split_plates
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.surface import analytic_surface
-from BendTorsionWB.core.zones import Segment, section_law
+from BendTorsionWB.core.members.member import Member
+from BendTorsionWB.core.members.zones import Segment, section_law
+from BendTorsionWB.core.patterns.numbering import numbered
+from BendTorsionWB.core.patterns.pattern import develop_plate
+from BendTorsionWB.core.plates.plates import split_plates
+from BendTorsionWB.core.sections.section import box
+from BendTorsionWB.core.welds.bevel_record import EdgeBevel
 
 SURFACE = analytic_surface("ellipsoid", dict(zip("abc", HALF_AXES)))
 

@@ -7,25 +7,25 @@ from curved_members import tapered
 from schedule_books import findings
 from test_diaphragms import hollow, straight
 
-from BendTorsionWB.core import arc_contour
-from BendTorsionWB.core.axis import fit_axis
-from BendTorsionWB.core.diaphragm_input import Diaphragm
-from BendTorsionWB.core.diaphragms import flat_parts
-from BendTorsionWB.core.end_cut import SQUARE, EndCut, with_end_cuts
-from BendTorsionWB.core.face_marks import FaceMark, mark_words
-from BendTorsionWB.core.frames import FrameInput, frames_of
-from BendTorsionWB.core.hole_shape import hole_shape, placed_hole
-from BendTorsionWB.core.inner_contours import hole_contour
-from BendTorsionWB.core.lanes import Lanes
-from BendTorsionWB.core.member import Member
-from BendTorsionWB.core.openings import Opening, fitted_circle
+from BendTorsionWB.core.axes.axis import fit_axis
+from BendTorsionWB.core.axes.frames import FrameInput, frames_of
+from BendTorsionWB.core.geometry import arc_contour
+from BendTorsionWB.core.geometry.surface import analytic_surface
+from BendTorsionWB.core.joints.lanes import Lanes
+from BendTorsionWB.core.members.end_cut import SQUARE, EndCut, with_end_cuts
+from BendTorsionWB.core.members.member import Member
+from BendTorsionWB.core.members.zones import section_law
 from BendTorsionWB.core.part_tables import diaphragm_of, mark_of, material_of, opening_of, place_of
-from BendTorsionWB.core.pattern import MODES, develop_plate, pattern_of
-from BendTorsionWB.core.plate_parts import with_parts
-from BendTorsionWB.core.plate_places import surface_point
-from BendTorsionWB.core.plates import Joints, split_plates
-from BendTorsionWB.core.surface import analytic_surface
-from BendTorsionWB.core.zones import section_law
+from BendTorsionWB.core.patterns.inner_contours import hole_contour
+from BendTorsionWB.core.patterns.pattern import MODES, develop_plate, pattern_of
+from BendTorsionWB.core.plates.diaphragm_input import Diaphragm
+from BendTorsionWB.core.plates.diaphragms import flat_parts
+from BendTorsionWB.core.plates.face_marks import FaceMark, mark_words
+from BendTorsionWB.core.plates.hole_shape import hole_shape, placed_hole
+from BendTorsionWB.core.plates.openings import Opening, fitted_circle
+from BendTorsionWB.core.plates.plate_parts import with_parts
+from BendTorsionWB.core.plates.plate_places import surface_point
+from BendTorsionWB.core.plates.plates import Joints, split_plates
 
 
 def made(member, openings=(), marks=(), joints=None):

@@ -5,7 +5,7 @@ form."""
 import numpy as np
 import pytest
 
-from BendTorsionWB.core.outline_change import MISSING, deviation, trim
+from BendTorsionWB.core.patterns.outline_change import MISSING, deviation, trim
 
 
 def plate(length=6000.0, width=800.0, sag=0.0, slant=0.0, count=120):

@@ -19,8 +19,8 @@ from package_build import SITE, plates_of, rows
 from test_build import APART, changed, schedule, short
 
 from BendTorsionWB import project
-from BendTorsionWB.core.arc_fit import enclosed_area
 from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.core.geometry.arc_fit import enclosed_area
 from BendTorsionWB.core.site import SiteDatum
 from BendTorsionWB.exchange.dxf_nest import GAP, groups_of, nest_dxf, shelves
 from BendTorsionWB.exchange.part_marks import FILE

@@ -6,10 +6,10 @@ import pytest
 from curved_members import ELLIPSOID, in_space, member, tapered
 from geodesic import box_mid_rails, path_length
 
-from BendTorsionWB.core.pattern import develop_plate
-from BendTorsionWB.core.plates import Joints, split_plates
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.zones import Segment
+from BendTorsionWB.core.members.zones import Segment
+from BendTorsionWB.core.patterns.pattern import develop_plate
+from BendTorsionWB.core.plates.plates import Joints, split_plates
+from BendTorsionWB.core.sections.section import box
 
 JOINTS = {face: Joints((0.2, 0.45, 0.8, 1.0)) for face in ("top", "bottom", "left", "right")}
 TAPERS = {

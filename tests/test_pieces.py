@@ -10,12 +10,12 @@ import pytest
 from piece_members import BIG, LENGTH, SMALL, STEPPED, straight, three
 
 from BendTorsionWB.core import detailing
-from BendTorsionWB.core.end_cut import EndCut
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.joint_solver import JointRules
-from BendTorsionWB.core.pieces import PieceInput, end_text, end_words
-from BendTorsionWB.core.plates import Joints
-from BendTorsionWB.core.zones import Segment
+from BendTorsionWB.core.joints.joint_solver import JointRules
+from BendTorsionWB.core.joints.pieces import PieceInput, end_text, end_words
+from BendTorsionWB.core.members.end_cut import EndCut
+from BendTorsionWB.core.members.zones import Segment
+from BendTorsionWB.core.plates.plates import Joints
 
 
 def spans(detailed, face):

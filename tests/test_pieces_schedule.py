@@ -13,8 +13,8 @@ from schedule_books import write
 
 from BendTorsionWB import make
 from BendTorsionWB.core.detailing import detail
-from BendTorsionWB.core.end_cut import EndCut
 from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.core.members.end_cut import EndCut
 from BendTorsionWB.document import build_document, read_files
 from BendTorsionWB.document_rows import rows_of
 from BendTorsionWB.exchange.schedule import read_schedule

@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 
-from BendTorsionWB.core.piecewise import merged_breaks, resolve, sample
+from BendTorsionWB.core.geometry.piecewise import merged_breaks, resolve, sample
 
 BREAKS = np.array([0.0, 700.0, 1500.0, 4000.0])
 

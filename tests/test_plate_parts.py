@@ -21,14 +21,14 @@ from test_nc1 import contour, traced
 from test_nc1 import read as read_nc1
 
 from BendTorsionWB import make, project
-from BendTorsionWB.core import arc_contour
-from BendTorsionWB.core.arc_contour import rounded_rectangle
-from BendTorsionWB.core.arc_fit import enclosed_area
-from BendTorsionWB.core.diaphragm_input import Diaphragm
-from BendTorsionWB.core.hole_shape import hole_shape
+from BendTorsionWB.core.drawings.sheet import outside_frame, overlapping_texts
+from BendTorsionWB.core.drawings.sheet_layout import member_sheets
+from BendTorsionWB.core.geometry import arc_contour
+from BendTorsionWB.core.geometry.arc_contour import rounded_rectangle
+from BendTorsionWB.core.geometry.arc_fit import enclosed_area
 from BendTorsionWB.core.lofting import FlatHole, FlatMark
-from BendTorsionWB.core.sheet import outside_frame, overlapping_texts
-from BendTorsionWB.core.sheet_layout import member_sheets
+from BendTorsionWB.core.plates.diaphragm_input import Diaphragm
+from BendTorsionWB.core.plates.hole_shape import hole_shape
 from BendTorsionWB.exchange import dxf
 from BendTorsionWB.exchange.nc1 import plate_nc1
 from BendTorsionWB.objects import plate_set

@@ -6,10 +6,10 @@ import pytest
 from curved_members import ELLIPSOID, in_space, member, tapered
 
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.piecewise import Piecewise
-from BendTorsionWB.core.plates import JointRules, Joints, split_plates
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.zones import Segment
+from BendTorsionWB.core.geometry.piecewise import Piecewise
+from BendTorsionWB.core.members.zones import Segment
+from BendTorsionWB.core.plates.plates import JointRules, Joints, split_plates
+from BendTorsionWB.core.sections.section import box
 
 PAPER = {
     "left": Joints((0.2, 0.4, 0.6, 0.8, 1.0)),

@@ -181,8 +181,8 @@ def test_a_role_or_mark_that_is_none_is_refused_with_what_there_is(model):
 
 
 def test_flat_parts_have_sides_edges_and_openings():
-    from BendTorsionWB.core.flat_plate import FlatPlate
-    from BendTorsionWB.core.section import STEEL
+    from BendTorsionWB.core.plates.flat_plate import FlatPlate
+    from BendTorsionWB.core.sections.section import STEEL
     from BendTorsionWB.shapes.flat_solid import flat_solid
 
     turn = FreeCAD.Rotation(FreeCAD.Vector(1, 2, 3), 50)

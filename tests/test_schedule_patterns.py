@@ -4,9 +4,9 @@
 import pytest
 from schedule_books import one
 
-from BendTorsionWB.core.gross import Allowances
-from BendTorsionWB.core.laid_flat import PLAIN
-from BendTorsionWB.core.lanes import Lanes
+from BendTorsionWB.core.joints.lanes import Lanes
+from BendTorsionWB.core.patterns.gross import Allowances
+from BendTorsionWB.core.patterns.laid_flat import PLAIN
 from BendTorsionWB.exchange.schedule_jobs import SPLIT_CODES, job_of
 
 

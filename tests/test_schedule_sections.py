@@ -10,7 +10,7 @@ import pytest
 from schedule_books import findings, one, read_schedule, write
 
 from BendTorsionWB.__main__ import main
-from BendTorsionWB.core.section_types import section_of
+from BendTorsionWB.core.sections.section_types import section_of
 from BendTorsionWB.document import build_document
 from BendTorsionWB.exchange.schedule_jobs import job_of
 from BendTorsionWB.exchange.schedule_jobs import section_of as core_section_of

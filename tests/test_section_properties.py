@@ -6,16 +6,16 @@ import pytest
 
 from BendTorsionWB.core import rules
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.section_catalogue import entries, entry
-from BendTorsionWB.core.section_properties import (
+from BendTorsionWB.core.sections.section import box
+from BendTorsionWB.core.sections.section_catalogue import entries, entry
+from BendTorsionWB.core.sections.section_properties import (
     FlatPart,
     flat_parts,
     section_properties,
     slenderness_class,
 )
-from BendTorsionWB.core.section_strips import StripRow, strip_list
-from BendTorsionWB.core.section_types import (
+from BendTorsionWB.core.sections.section_strips import StripRow, strip_list
+from BendTorsionWB.core.sections.section_types import (
     channel,
     i_section,
     polygon,

@@ -9,15 +9,19 @@ import pytest
 from curved_members import ELLIPSOID, diagonal, in_space, irregular, member
 
 from BendTorsionWB import make
-from BendTorsionWB.core import detailing, solid_skins, tolerances
-from BendTorsionWB.core.axis import fit_axis
+from BendTorsionWB.core import detailing, tolerances
+from BendTorsionWB.core.axes.axis import fit_axis
+from BendTorsionWB.core.drawings.sheet_layout import member_sheets
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.pattern import develop_plate
-from BendTorsionWB.core.plates import Joints, split_plates
-from BendTorsionWB.core.section_checks import overlap
-from BendTorsionWB.core.section_properties import section_properties
-from BendTorsionWB.core.section_strips import StripRow, strip_list
-from BendTorsionWB.core.section_types import (
+from BendTorsionWB.core.geometry.surface import analytic_surface
+from BendTorsionWB.core.members.volume import skin_volumes
+from BendTorsionWB.core.members.zones import Segment
+from BendTorsionWB.core.patterns.pattern import develop_plate
+from BendTorsionWB.core.plates.plates import Joints, split_plates
+from BendTorsionWB.core.sections.section_checks import overlap
+from BendTorsionWB.core.sections.section_properties import section_properties
+from BendTorsionWB.core.sections.section_strips import StripRow, strip_list
+from BendTorsionWB.core.sections.section_types import (
     TYPES,
     channel,
     i_section,
@@ -27,11 +31,8 @@ from BendTorsionWB.core.section_types import (
     t_section,
     trapezoid,
 )
-from BendTorsionWB.core.sheet_layout import member_sheets
-from BendTorsionWB.core.strip_lines import section_polygons
-from BendTorsionWB.core.surface import analytic_surface
-from BendTorsionWB.core.volume import skin_volumes
-from BendTorsionWB.core.zones import Segment
+from BendTorsionWB.core.sections.strip_lines import section_polygons
+from BendTorsionWB.core.solids import solid_skins
 from BendTorsionWB.exchange.dxf import write_plate_dxf
 from BendTorsionWB.exchange.results_workbook import write_results
 from BendTorsionWB.shapes import brep

@@ -8,6 +8,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from BendTorsionWB.core.drawings.sheet import Sheet, outside_frame, overlapping_texts, text_width
+from BendTorsionWB.core.drawings.sheet_layout import member_sheets
+from BendTorsionWB.core.drawings.sheet_pattern import pattern_block
+from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.finding import error, warning
 from BendTorsionWB.core.lofting import (
     DevelopedPlate,
@@ -16,10 +20,6 @@ from BendTorsionWB.core.lofting import (
     MemberRecord,
     StationLine,
 )
-from BendTorsionWB.core.sheet import Sheet, outside_frame, overlapping_texts, text_width
-from BendTorsionWB.core.sheet_layout import member_sheets
-from BendTorsionWB.core.sheet_pattern import pattern_block
-from BendTorsionWB.core.sheet_style import SheetStyle
 
 STYLE = SheetStyle("Concert hall")
 CORNERS = {"TL": (400, 0), "TR": (-400, 0), "BR": (-400, -800), "BL": (400, -800)}

@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 from test_sheet import strip_member
 
-from BendTorsionWB.core.sheet import Polyline, Sheet, Text
-from BendTorsionWB.core.sheet_layout import member_sheets
-from BendTorsionWB.core.sheet_style import SheetStyle
+from BendTorsionWB.core.drawings.sheet import Polyline, Sheet, Text
+from BendTorsionWB.core.drawings.sheet_layout import member_sheets
+from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.sheets.pdf import write_pdf
 from BendTorsionWB.sheets.svg import svg_text, write_svg
 

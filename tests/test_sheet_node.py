@@ -10,18 +10,18 @@ from curved_members import ELLIPSOID, diagonal
 from meeting_members import PLANE, counter
 
 from BendTorsionWB.core import detailing
-from BendTorsionWB.core.axis_input import AxisInput
-from BendTorsionWB.core.frames import FrameInput
-from BendTorsionWB.core.node_ends import plate_ends
-from BendTorsionWB.core.node_faces import outer_faces
-from BendTorsionWB.core.node_input import NodeInput, NodeRules
-from BendTorsionWB.core.node_jobs import jobs_with_nodes
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.segment import Segment
-from BendTorsionWB.core.sheet import outside_frame, overlapping_texts
-from BendTorsionWB.core.sheet_node import has_nodes, node_sheets
-from BendTorsionWB.core.sheet_node_view import clipped
-from BendTorsionWB.core.sheet_style import SheetStyle, fixed
+from BendTorsionWB.core.axes.axis_input import AxisInput
+from BendTorsionWB.core.axes.frames import FrameInput
+from BendTorsionWB.core.drawings.sheet import outside_frame, overlapping_texts
+from BendTorsionWB.core.drawings.sheet_node import has_nodes, node_sheets
+from BendTorsionWB.core.drawings.sheet_node_view import clipped
+from BendTorsionWB.core.drawings.sheet_style import SheetStyle, fixed
+from BendTorsionWB.core.members.segment import Segment
+from BendTorsionWB.core.nodes.node_ends import plate_ends
+from BendTorsionWB.core.nodes.node_faces import outer_faces
+from BendTorsionWB.core.nodes.node_input import NodeInput, NodeRules
+from BendTorsionWB.core.nodes.node_jobs import jobs_with_nodes
+from BendTorsionWB.core.sections.section import box
 from BendTorsionWB.core.site import SiteDatum
 from BendTorsionWB.exchange.output_folder import OutputFolder, read_manifest
 from BendTorsionWB.exchange.report import sheet_name
@@ -92,7 +92,7 @@ def case(request):
 
 
 def ends_of(found):
-    return plate_ends(found[1].nodes[0], found[1], found[0])
+    return plate_ends(found[1].nodes[0], found[1])
 
 
 def table(sheets, first):
@@ -142,7 +142,7 @@ def test_bevels_on_twisted_faces_are_those_of_the_true_normals():
     }
     through, branch = details(jobs)
     (node,) = branch.record.nodes
-    ends = plate_ends(node, branch.record, through.record)
+    ends = plate_ends(node, branch.record)
     assert len(ends) == 8
     member = through.geometry.member
     faces = outer_faces(member, node.s_through - 2000.0, node.s_through + 2000.0)
@@ -216,7 +216,7 @@ def test_everything_is_shown_and_nothing_overlaps(case, style):
     rows = {row[0] for sheet in sheets for table in sheet.tables for row in table.rows}
     through, *branches = case
     for record in branches:
-        for end in plate_ends(record.nodes[0], record, through):
+        for end in plate_ends(record.nodes[0], record):
             assert end.plate.mark in shown and end.plate.mark in rows
         assert record.member in rows
     for plate in through.plates:

@@ -16,11 +16,11 @@ import pytest
 import TechDraw  # noqa: F401
 from test_sheet import strip_member
 
+from BendTorsionWB.core.drawings.sheet_layout import member_sheets
+from BendTorsionWB.core.drawings.sheet_page import SIGNED_CELLS
+from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.finding import error
 from BendTorsionWB.core.lofting import MemberRecord
-from BendTorsionWB.core.sheet_layout import member_sheets
-from BendTorsionWB.core.sheet_page import SIGNED_CELLS
-from BendTorsionWB.core.sheet_style import SheetStyle
 from BendTorsionWB.objects import sheet as sheet_objects
 from BendTorsionWB.sheets.pdf import write_pdf
 from BendTorsionWB.sheets.techdraw import symbol_svg, template_path

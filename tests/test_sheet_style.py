@@ -11,17 +11,17 @@ import numpy as np
 import pytest
 from test_sheet import strip_member
 
-from BendTorsionWB.core.control_record import ControlSection, CutPlate
-from BendTorsionWB.core.piece_record import Piece, PieceFigures
-from BendTorsionWB.core.preps import prep_of
-from BendTorsionWB.core.sheet import outside_frame, overlapping_texts
-from BendTorsionWB.core.sheet_arrangement import arrangement_sheets
-from BendTorsionWB.core.sheet_layout import member_sheets, piece_record
-from BendTorsionWB.core.sheet_style import FORMATS, SheetStyle, feet_inches
-from BendTorsionWB.core.sheet_symbols import projection_symbol, weld_symbol
-from BendTorsionWB.core.sheet_terms import CHINESE
+from BendTorsionWB.core.beds.control_record import ControlSection, CutPlate
+from BendTorsionWB.core.drawings.sheet import outside_frame, overlapping_texts
+from BendTorsionWB.core.drawings.sheet_arrangement import arrangement_sheets
+from BendTorsionWB.core.drawings.sheet_layout import member_sheets, piece_record
+from BendTorsionWB.core.drawings.sheet_style import FORMATS, SheetStyle, feet_inches
+from BendTorsionWB.core.drawings.sheet_symbols import projection_symbol, weld_symbol
+from BendTorsionWB.core.drawings.sheet_terms import CHINESE
+from BendTorsionWB.core.members.piece_record import Piece, PieceFigures
 from BendTorsionWB.core.site import SiteDatum
-from BendTorsionWB.core.weld_record import Weld
+from BendTorsionWB.core.welds.preps import prep_of
+from BendTorsionWB.core.welds.weld_record import Weld
 from BendTorsionWB.exchange.schedule_columns import SETTINGS
 from BendTorsionWB.sheets.pdf import write_pdf
 from BendTorsionWB.sheets.pdf_join import joined_pdf
@@ -241,7 +241,7 @@ def test_the_general_arrangement_lists_every_member():
 
 def test_every_label_has_its_chinese_term():
     said = set()
-    for path in sorted((ROOT / "BendTorsionWB" / "core").glob("sheet*.py")):
+    for path in sorted((ROOT / "BendTorsionWB" / "core" / "drawings").glob("sheet*.py")):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Call):
                 name = getattr(node.func, "attr", getattr(node.func, "id", ""))

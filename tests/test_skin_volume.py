@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from curved_members import ELLIPSOID, in_space, member, tapered
 
-from BendTorsionWB.core.piecewise import sample
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.skin import skin
-from BendTorsionWB.core.strips import strip_rails
-from BendTorsionWB.core.volume import skin_volume, strip_volume
-from BendTorsionWB.core.zones import Segment
+from BendTorsionWB.core.geometry.piecewise import sample
+from BendTorsionWB.core.members.skin import skin
+from BendTorsionWB.core.members.strips import strip_rails
+from BendTorsionWB.core.members.volume import skin_volume, strip_volume
+from BendTorsionWB.core.members.zones import Segment
+from BendTorsionWB.core.sections.section import box
 from BendTorsionWB.shapes import brep
 
 BREAKS = np.array([0.0, 2000.0, 4000.0])

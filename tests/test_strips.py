@@ -7,15 +7,15 @@ import pytest
 from curved_members import ELLIPSOID, in_space, member, tapered
 
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.piecewise import Piecewise
-from BendTorsionWB.core.plates import split_plates
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.solid_skins import plate_skin as _plate_skin
-from BendTorsionWB.core.strips import section_integrand, strip_rails
-from BendTorsionWB.core.surface import analytic_surface
-from BendTorsionWB.core.thickness import ThicknessRules
-from BendTorsionWB.core.volume import skin_volume
-from BendTorsionWB.core.zones import Segment
+from BendTorsionWB.core.geometry.piecewise import Piecewise
+from BendTorsionWB.core.geometry.surface import analytic_surface
+from BendTorsionWB.core.members.strips import section_integrand, strip_rails
+from BendTorsionWB.core.members.thickness import ThicknessRules
+from BendTorsionWB.core.members.volume import skin_volume
+from BendTorsionWB.core.members.zones import Segment
+from BendTorsionWB.core.plates.plates import split_plates
+from BendTorsionWB.core.sections.section import box
+from BendTorsionWB.core.solids.solid_skins import plate_skin as _plate_skin
 from BendTorsionWB.shapes import brep
 
 FOLDED = {

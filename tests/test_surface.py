@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.surface import (
+from BendTorsionWB.core.geometry.surface import (
     Cone,
     Cylinder,
     Ellipsoid,

@@ -5,14 +5,14 @@ import numpy as np
 import pytest
 
 from BendTorsionWB.core import detailing
-from BendTorsionWB.core.axis_input import AxisInput
+from BendTorsionWB.core.axes.axis_input import AxisInput
+from BendTorsionWB.core.axes.frames import FrameInput
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.frames import FrameInput
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.section_types import i_section
-from BendTorsionWB.core.surface import analytic_surface
-from BendTorsionWB.core.volume import skin_volumes
-from BendTorsionWB.core.zones import Segment
+from BendTorsionWB.core.geometry.surface import analytic_surface
+from BendTorsionWB.core.members.volume import skin_volumes
+from BendTorsionWB.core.members.zones import Segment
+from BendTorsionWB.core.sections.section import box
+from BendTorsionWB.core.sections.section_types import i_section
 
 R = 20000.0
 CYLINDER = analytic_surface("cylinder", {"r": R})
@@ -161,7 +161,7 @@ def test_an_open_section_and_any_frame_can_be_held():
 
 
 def test_a_preset_keeps_the_distance_on_the_design_axis():
-    from BendTorsionWB.core.axis_preset import Preset
+    from BendTorsionWB.core.axes.axis_preset import Preset
 
     preset = Preset(
         np.array([0.0, 0.5, 1.0]), np.array([[0, 0, 0], [0, 0, 30.0], [0, 0, 0]]), "ratio"

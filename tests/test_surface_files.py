@@ -14,10 +14,10 @@ from exact_axes import curves
 
 from BendTorsionWB import project
 from BendTorsionWB.core import detailing
+from BendTorsionWB.core.axes.frames import torsion_angle
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.frames import torsion_angle
+from BendTorsionWB.core.geometry.surface import Torus
 from BendTorsionWB.core.memo import forget_all
-from BendTorsionWB.core.surface import Torus
 from BendTorsionWB.shapes.from_part import surface_from_part
 from BendTorsionWB.shapes.surface_files import faces_from_file, shape_from_file
 

@@ -7,9 +7,9 @@ import Part
 import pytest
 from FreeCAD import Vector
 
-from BendTorsionWB.core.patch_split import smooth_patches
-from BendTorsionWB.core.patches import CREASE, PatchSurface
-from BendTorsionWB.core.surface import Cylinder, Sphere
+from BendTorsionWB.core.geometry.patch_split import smooth_patches
+from BendTorsionWB.core.geometry.patches import CREASE, PatchSurface
+from BendTorsionWB.core.geometry.surface import Cylinder, Sphere
 from BendTorsionWB.shapes.from_part import surface_from_part
 
 

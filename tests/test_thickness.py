@@ -8,20 +8,20 @@ from curved_members import ELLIPSOID, member
 from random_members import random_member
 from section_cuts import penetration, sections_at
 
-from BendTorsionWB.core import solid_skins
-from BendTorsionWB.core.axis import fit_axis
+from BendTorsionWB.core.axes.axis import fit_axis
+from BendTorsionWB.core.axes.frames import surface_frames
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.frames import surface_frames
-from BendTorsionWB.core.member import Member
-from BendTorsionWB.core.pattern import develop_plate
-from BendTorsionWB.core.plates import split_plates
-from BendTorsionWB.core.section import Material, box
-from BendTorsionWB.core.section_types import i_section
-from BendTorsionWB.core.segment import Segment
-from BendTorsionWB.core.surface import analytic_surface
-from BendTorsionWB.core.thickness import Chamfer, ThicknessRules, stagger_offsets
-from BendTorsionWB.core.volume import skin_volumes
-from BendTorsionWB.core.zones import section_law
+from BendTorsionWB.core.geometry.surface import analytic_surface
+from BendTorsionWB.core.members.member import Member
+from BendTorsionWB.core.members.segment import Segment
+from BendTorsionWB.core.members.thickness import Chamfer, ThicknessRules, stagger_offsets
+from BendTorsionWB.core.members.volume import skin_volumes
+from BendTorsionWB.core.members.zones import section_law
+from BendTorsionWB.core.patterns.pattern import develop_plate
+from BendTorsionWB.core.plates.plates import split_plates
+from BendTorsionWB.core.sections.section import Material, box
+from BendTorsionWB.core.sections.section_types import i_section
+from BendTorsionWB.core.solids import solid_skins
 from BendTorsionWB.shapes import brep
 
 LENGTH = 20000.0

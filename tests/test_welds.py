@@ -6,15 +6,15 @@ import math
 import pytest
 from curved_members import member, tapered
 
-from BendTorsionWB.core.edge_faces import with_edges
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.lanes import Lanes
-from BendTorsionWB.core.pattern import develop_plate
-from BendTorsionWB.core.plates import Joints, split_plates
-from BendTorsionWB.core.preps import Prep, prep_findings, prep_of, prep_text
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.welds import EdgeTreatment, WeldDefaults, welds_of
-from BendTorsionWB.core.zones import Segment
+from BendTorsionWB.core.joints.lanes import Lanes
+from BendTorsionWB.core.members.zones import Segment
+from BendTorsionWB.core.patterns.pattern import develop_plate
+from BendTorsionWB.core.plates.edge_faces import with_edges
+from BendTorsionWB.core.plates.plates import Joints, split_plates
+from BendTorsionWB.core.sections.section import box
+from BendTorsionWB.core.welds.preps import Prep, prep_findings, prep_of, prep_text
+from BendTorsionWB.core.welds.welds import EdgeTreatment, WeldDefaults, welds_of
 
 CORNER = Prep("C", "bevel", math.radians(40), 6.0, 2.0)
 BUTT = Prep("B", "v", math.radians(60), 2.0, 2.0)

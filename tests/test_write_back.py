@@ -115,7 +115,7 @@ def test_a_surface_of_faces_and_an_axis_of_an_edge_go_along_as_files(document, t
     axis = make.make_axis(document, "A1", surface, edge=(line, "Edge1"), fit="keep")
     member(document, surface, axis)
     check(document, tmp_path / "back.xlsx")
-    assert {p.name for p in (tmp_path / "back files").iterdir()} == {"Hall.brep", "A1.brep"}
+    assert {p.name for p in (tmp_path / "back files").iterdir()} == {"Hall surface.brep", "A1 axis.brep"}
 
 
 AXES = {

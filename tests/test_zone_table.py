@@ -10,13 +10,13 @@ from flat_plates import member as flat_member
 from flat_plates import rectangle
 
 from BendTorsionWB.core import detailing
-from BendTorsionWB.core.axis_input import AxisInput
+from BendTorsionWB.core.axes.axis_input import AxisInput
+from BendTorsionWB.core.drawings.sheet_layout import member_sheets
+from BendTorsionWB.core.drawings.sheet_tables import MOST_ROWS
 from BendTorsionWB.core.lofting import ZoneRecord
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.segment import Segment
-from BendTorsionWB.core.sheet_layout import member_sheets
-from BendTorsionWB.core.sheet_tables import MOST_ROWS
-from BendTorsionWB.core.zone_table import group_of, zone_records
+from BendTorsionWB.core.members.segment import Segment
+from BendTorsionWB.core.members.zone_table import group_of, zone_records
+from BendTorsionWB.core.sections.section import box
 from BendTorsionWB.exchange.report import write_report
 from BendTorsionWB.exchange.results_workbook import write_results
 

@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.section import box
-from BendTorsionWB.core.segment import ALIGNMENTS, Segment
-from BendTorsionWB.core.zones import section_law
+from BendTorsionWB.core.members.segment import ALIGNMENTS, Segment
+from BendTorsionWB.core.members.zones import section_law
+from BendTorsionWB.core.sections.section import box
 
 LENGTH = 20000.0
 BIG = box("B800", "box1", 800, 700, 20)

@@ -12,49 +12,42 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from . import tolerances
-from .axis import Axis
-from .axis_input import AxisInput, AxisUncertainty, axis_from, axis_uncertainty
-from .bed import bed_of, steep_findings
-from .bed_face import BedInput
-from .bed_record import Bed
-from .bevels import with_bevels
-from .control_sections import control_sections
-from .cut_skin import cut_skin_area
-from .end_cut import with_end_cuts
+from .axes.axis import Axis
+from .axes.axis_input import AxisInput, AxisUncertainty, axis_from, axis_uncertainty
+from .axes.frames import FrameInput, Frames, frames_of, torsion_angle
+from .axes.surface_check import size_findings, surface_findings
+from .beds.bed import bed_of, steep_findings
+from .beds.bed_face import BedInput
+from .beds.bed_record import Bed
+from .beds.control_sections import control_sections
 from .finding import BendTorsionError, Finding, has_error, warning
-from .flat_plate import developed_flat
-from .frames import FrameInput, Frames, frames_of, torsion_angle
-from .laid_flat import PLAIN, PatternInput, laid_flat
+from .geometry.surface import Surface
+from .joints.pieces import PieceInput, with_pieces
 from .lofting import MemberRecord
-from .mass import PlateFigures, plate_figures, skin_area
-from .member import Member
-from .member_figures import beyond_stock, torsion_error, wireframe
+from .members.end_cut import with_end_cuts
+from .members.member import Member
+from .members.piece_record import PieceFigures, piece_figures
+from .members.skin import skins
+from .members.strips import rails_between
+from .members.surface_alignment import surface_lifts
+from .members.zone_table import zone_records
+from .members.zones import section_law
 from .memo import memoised, remember
-from .node_input import NodeInput, NodeRules
-from .node_members import MemberNodes, numbered, with_nodes
-from .nodes import Found, Node, find_nodes
-from .piece_ends import corner_ends, whole_faces
-from .piece_record import PieceFigures, piece_figures
-from .pieces import PieceInput, with_pieces
-from .plate_parts import net_figures, with_parts
-from .plates import JointRules, split_plates
-from .skin import skins
-from .solid_skins import corner_tubes, in_ring_order, skins_and_volumes
-from .stages import (
-    MemberGeometry,
-    MemberInput,
-    MemberPlates,
-    PlateGeometry,
-    PlatesInput,
-    Skins,
-)
-from .strips import rails_between
-from .surface import Surface
-from .surface_alignment import surface_lifts
-from .surface_check import size_findings, surface_findings
-from .welds import welds_of
-from .zone_table import zone_records
-from .zones import section_law
+from .nodes.node_input import NodeInput, NodeRules
+from .nodes.node_members import MemberNodes, numbered, with_nodes
+from .nodes.nodes import Found, Node, find_nodes
+from .patterns.laid_flat import PLAIN, PatternInput, laid_flat
+from .plates.flat_plate import developed_flat
+from .plates.piece_ends import corner_ends, whole_faces
+from .plates.plate_parts import with_parts
+from .plates.plates import JointRules, split_plates
+from .solids.cut_skin import cut_skin_area
+from .solids.mass import PlateFigures, net_figures, plate_figures, skin_area
+from .solids.member_figures import beyond_stock, torsion_error, wireframe
+from .solids.solid_skins import corner_tubes, in_ring_order, skins_and_volumes
+from .stages import MemberGeometry, MemberInput, MemberPlates, PlateGeometry, PlatesInput, Skins
+from .welds.bevels import with_bevels
+from .welds.welds import welds_of
 
 
 @memoised
@@ -233,7 +226,12 @@ def record_of(plates: MemberPlates, given: PatternInput = PLAIN) -> MemberRecord
         findings += beyond_stock(plate, plates.given.rules)
     rows = [row.on(member.length) for row in plates.given.edges]
     welds, weld_findings = welds_of(
-        member.name, developed, member.law.strips, rows, plates.given.welds
+        member.name,
+        developed,
+        member.law.strips,
+        rows,
+        plates.given.welds,
+        member.node_records,
     )
     findings += weld_findings
     developed = with_bevels(developed, welds, plates.given.welds.bevel_step, given.contour)

@@ -11,15 +11,15 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from .bed_record import Bed
-from .bevel_record import EdgeBevel
-from .control_record import ControlSection
+from .beds.bed_record import Bed
+from .beds.control_record import ControlSection
 from .finding import Finding, error
-from .forming_record import FormingRecord
-from .node_record import NodeRecord
-from .piece_record import PieceFigures
-from .thickness import Chamfer
-from .weld_record import Weld
+from .members.piece_record import PieceFigures
+from .members.thickness import Chamfer
+from .nodes.node_record import NodeRecord
+from .patterns.forming_record import FormingRecord
+from .welds.bevel_record import EdgeBevel
+from .welds.weld_record import Weld
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,6 +139,46 @@ SQUARE_EDGE = 0.01
 
 
 @dataclass(frozen=True, eq=False)
+class EndPart:
+    """A stretch of a cut end of a plate, from the first edge towards the second, on one surface.
+
+    node, member, face: of what it ends on, its thickness and the root gap in mm; empty and 0 where
+    no member is met. along (n,): mm from the first edge along the end of the mid-surface; s (n,):
+    arc lengths there. bevel (n,): rad, of the cut against square, positive where the outer face is
+    the longer. corners (2, 3): its ends in the model.
+    """
+
+    node: str
+    member: str
+    face: str
+    thickness: float
+    gap: float
+    along: np.ndarray
+    s: np.ndarray
+    bevel: np.ndarray
+    corners: np.ndarray
+
+    @property
+    def dihedral(self) -> np.ndarray:
+        """Angles (n,), rad, between the plate and what it ends on, on the inner side."""
+        return 0.5 * np.pi - self.bevel
+
+    @property
+    def length(self) -> float:
+        """mm along the mid-surface."""
+        return float(self.along[-1] - self.along[0])
+
+
+@dataclass(frozen=True, eq=False)
+class WeldedSide:
+    """A side of a flat part that is welded to the wall of a face: length mm, middle (3,)."""
+
+    face: str
+    length: float
+    middle: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
 class FlatteningErrors:
     """What laying a plate flat costs, by kind, flat minus true, mm: largest of the long edges
     (between lines and whole), of the lines and of the geodesic diagonals; the centre line and the
@@ -196,7 +236,8 @@ class DevelopedPlate:
     the holes. quantity: plates of the same part; opposite_hand: the part that is its mirror image.
     chamfers: at the start and the end, machined after cutting; the pattern knows nothing of them.
     Flat parts have no lines, panels and errors. bevels: of its sides; contour: the face that cut
-    files draw (`bevels.CONTOURS`).
+    files draw (`bevels.CONTOURS`). ends: the stretches of its cut ends at the start and the end;
+    welded: sides of a flat part that are welded to walls.
     """
 
     member: str
@@ -243,6 +284,8 @@ class DevelopedPlate:
     chamfers: tuple[Chamfer | None, Chamfer | None] = (None, None)
     bevels: tuple[EdgeBevel, ...] = ()
     contour: str = "mid"
+    ends: tuple[tuple[EndPart, ...], tuple[EndPart, ...]] = ((), ())
+    welded: tuple[WeldedSide, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -305,5 +348,13 @@ class MemberRecord:
 def failed_record(name: str, findings: tuple[Finding, ...]) -> MemberRecord:
     """The record of a member in error: no plates, no figures."""
     if not any(f.severity == "error" for f in findings):
-        findings = (*findings, error("member-failed", name, "the member could not be built"))
+        findings = (
+            *findings,
+            error(
+                "member-failed",
+                name,
+                "the member could not be built",
+                "mend what is said of its rows, its surface and its nodes",
+            ),
+        )
     return MemberRecord(member=name, sections="", section_type="", findings=findings)

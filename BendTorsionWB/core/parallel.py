@@ -7,6 +7,7 @@ import multiprocessing
 import os
 import signal
 import sys
+import threading
 from collections import deque
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import (
@@ -58,11 +59,18 @@ class Workers(Executor):
             self._pool = None
 
     def _started(self) -> ProcessPoolExecutor:
-        return ProcessPoolExecutor(self.count, self._context, _leave_interrupts_to_the_parent)
+        return ProcessPoolExecutor(self.count, self._context, _as_worker)
 
 
-def _leave_interrupts_to_the_parent() -> None:
+def _as_worker() -> None:
+    """Leave interrupts to the parent, and end with it also when it was killed."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_end_with_the_parent, daemon=True).start()
+
+
+def _end_with_the_parent() -> None:
+    multiprocessing.parent_process().join()
+    os._exit(1)
 
 
 @contextmanager

@@ -10,15 +10,15 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from .diaphragm_input import ENDS, Diaphragm, closing_of
-from .face_marks import FaceMark, mark_words
 from .finding import BendTorsionError, error
-from .hole_shape import hole_shape, placed_hole
-from .openings import Opening
-from .pieces import PieceInput, end_words
-from .preps import PLACES, prep_of
-from .section import Material
-from .welds import EdgeTreatment
+from .joints.pieces import PieceInput, end_words
+from .plates.diaphragm_input import ENDS, Diaphragm, closing_of
+from .plates.face_marks import FaceMark, mark_words
+from .plates.hole_shape import hole_shape, placed_hole
+from .plates.openings import Opening
+from .sections.section import Material
+from .welds.preps import PLACES, prep_of
+from .welds.welds import EdgeTreatment
 
 PART_COLUMNS = {
     "Diaphragms": ("s", "t", "gap", "snipe", "manhole", "closing_face", "material"),

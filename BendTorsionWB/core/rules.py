@@ -10,12 +10,12 @@ from functools import cache
 from pathlib import Path
 
 from .finding import BendTorsionError, error
-from .forming import FormingRules
-from .node_input import NodeRules
-from .plates import JointRules
-from .preps import Prep
-from .thickness import ThicknessRules
-from .welds import WeldDefaults
+from .members.thickness import ThicknessRules
+from .nodes.node_input import NodeRules
+from .patterns.forming import FormingRules
+from .plates.plates import JointRules
+from .welds.preps import Prep
+from .welds.welds import WeldDefaults
 
 FOLDER = Path(__file__).resolve().parents[2] / "resources" / "rules"
 PACKS = ("CN", "EU", "US")
@@ -93,7 +93,8 @@ def joint_rules(pack: str) -> JointRules:
 
 
 def weld_defaults(pack: str) -> WeldDefaults:
-    """Preparations of seams and joints that no row of the Edges sheet names."""
+    """Preparations of seams and joints that no row of the Edges sheet names, of branches and
+    diaphragms at nodes."""
 
     def value(name: str) -> float:
         return rule(pack, name).value
@@ -111,7 +112,19 @@ def weld_defaults(pack: str) -> WeldDefaults:
         value("butt_groove_land"),
         value("butt_groove_gap"),
     )
-    return WeldDefaults(corner, butt, bevel_step=math.radians(value("bevel_step")))
+    branch = Prep(
+        "branch",
+        "bevel",
+        math.radians(value("branch_groove_angle")),
+        value("branch_groove_land"),
+    )
+    return WeldDefaults(
+        corner,
+        butt,
+        bevel_step=math.radians(value("bevel_step")),
+        branch=branch,
+        leg=value("diaphragm_leg"),
+    )
 
 
 def thickness_rules(pack: str) -> ThicknessRules:

@@ -6,24 +6,24 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from .diaphragm_input import Diaphragm
-from .end_cut import SQUARE, EndCut
-from .face_marks import FaceMark
+from .axes.frames import FrameInput
 from .finding import Finding
-from .flat_plate import FlatPlate
-from .forming import FormingRules
-from .frames import FrameInput
-from .lanes import Lanes
-from .member import Member
-from .openings import Opening
-from .piece_record import Piece
-from .pieces import PieceInput
-from .plates import JointRules, Joints, Plate
-from .skin import SkinPiece
-from .surface import Surface
-from .thickness import ThicknessRules
-from .welds import EdgeTreatment, WeldDefaults
-from .zones import Segment
+from .geometry.surface import Surface
+from .joints.lanes import Lanes
+from .joints.pieces import PieceInput
+from .members.end_cut import SQUARE, EndCut
+from .members.member import Member
+from .members.piece_record import Piece
+from .members.skin import SkinPiece
+from .members.thickness import ThicknessRules
+from .members.zones import Segment
+from .patterns.forming import FormingRules
+from .plates.diaphragm_input import Diaphragm
+from .plates.face_marks import FaceMark
+from .plates.flat_plate import FlatPlate
+from .plates.openings import Opening
+from .plates.plates import JointRules, Joints, Plate
+from .welds.welds import EdgeTreatment, WeldDefaults
 
 
 @dataclass(frozen=True)

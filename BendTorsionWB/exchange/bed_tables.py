@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from ..core.bed_record import Bed
+from ..core.beds.bed_record import Bed
 from .xlsx_file import FINE, TENTH, TEXT, WHOLE, Column, Table
 
 BED = (

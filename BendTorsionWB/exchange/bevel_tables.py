@@ -6,8 +6,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from ..core.backing import backing_bars
 from ..core.lofting import MemberRecord
+from ..core.welds.backing import backing_bars
 from .xlsx_file import TENTH, TEXT, WHOLE, Column, Table
 
 BEVELS = (

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ..core.control_points import control_rows
+from ..core.beds.control_points import control_rows
 from ..core.lofting import MemberRecord
 from ..core.site import AT_ORIGIN, SiteDatum
 from .xlsx_file import FINE, TENTH, TEXT, Column, Table

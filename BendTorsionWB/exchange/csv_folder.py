@@ -5,16 +5,27 @@ from __future__ import annotations
 
 import csv
 import io
+import os
+import shutil
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import openpyxl
 
 from BendTorsionWB.core.finding import BendTorsionError, error
-from BendTorsionWB.exchange.whole_file import write_whole
+from BendTorsionWB.exchange.schedule_columns import SHEETS
+from BendTorsionWB.exchange.whole_file import (
+    not_written,
+    part_beside,
+    remove_parts,
+    write_changed,
+    write_whole,
+)
 
 LARGEST_FILE = 50e6
 """Bytes of one file."""
+WHOLE = ".whole"
+"""Folder within the folder, there only while its files are being written."""
 _SEPARATORS = (",", ";", "\t")
 _ENCODINGS = ("utf-8-sig", "gb18030")
 
@@ -23,11 +34,14 @@ def read_folder(folder: Path) -> openpyxl.Workbook:
     """A workbook with a sheet per `NAME.csv`, all cells as text, empty ones empty.
 
     Comma, semicolon or tab parts the cells, whichever the first line holds most of; UTF-8, UTF-16
-    with its mark, or GB 18030. Raises BendTorsionError for files that cannot be read.
+    with its mark, or GB 18030. Where writing the folder was cut short, what was to be in it.
+    Raises BendTorsionError for files that cannot be read.
     """
     book = openpyxl.Workbook()
     book.remove(book.active)
     faults = []
+    if (folder / WHOLE).is_dir():
+        folder = folder / WHOLE
     for path in sorted(folder.glob("*.csv"), key=lambda path: path.name.lower()):
         try:
             rows = read_csv(path)
@@ -87,9 +101,37 @@ def _rows(path: Path) -> list[list[str]]:
 
 def write_folder(folder: Path, sheets: Mapping[str, Sequence[Sequence]]) -> None:
     """One `NAME.csv` per sheet, rows of text, numbers and None; UTF-8 with the mark Excel needs.
-    Raises BendTorsionError."""
-    for name, rows in sheets.items():
-        write_whole(folder / f"{name}.csv", csv_bytes(rows))
+    All sheets together or none: they are made in a folder below, which counts for the whole from
+    when it has its name until all of it is copied. Files of other sheets that a schedule may have
+    are removed. Raises BendTorsionError."""
+    whole = folder / WHOLE
+    part = part_beside(whole)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        remove_parts(folder)
+        if whole.is_dir():
+            _into(whole, folder)
+        for name, rows in sheets.items():
+            write_whole(part / f"{name}.csv", csv_bytes(rows))
+        os.rename(part, whole)
+        _into(whole, folder)
+    except OSError as failure:
+        raise BendTorsionError(not_written(folder, failure)) from failure
+    finally:
+        shutil.rmtree(part, ignore_errors=True)
+
+
+def _into(whole: Path, folder: Path) -> None:
+    """Copy what counts for a folder into it, and let the folder count again."""
+    names = {path.name for path in whole.iterdir()}
+    for name in sorted(names):
+        write_changed(folder / name, (whole / name).read_bytes())
+    for sheet in SHEETS:
+        if f"{sheet}.csv" not in names:
+            (folder / f"{sheet}.csv").unlink(missing_ok=True)
+    done = part_beside(whole)
+    os.rename(whole, done)
+    shutil.rmtree(done, ignore_errors=True)
 
 
 def csv_bytes(rows: Sequence[Sequence]) -> bytes:

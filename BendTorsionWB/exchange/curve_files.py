@@ -11,9 +11,9 @@ from ezdxf.entities import Ellipse
 from ezdxf.lldxf.const import DXFError
 from ezdxf.math import rational_bspline_from_ellipse
 
-from ..core.axis_source import AxisSource, axis_source, found_source
-from ..core.curve import Curve
+from ..core.axes.axis_source import AxisSource, axis_source, found_source
 from ..core.finding import BendTorsionError, Finding, error, has_error, warning
+from ..core.geometry.curve import Curve
 
 # $INSUNITS to mm; 0 (no unit) counts as mm.
 UNITS = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 14: 100.0}

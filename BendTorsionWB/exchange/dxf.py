@@ -13,13 +13,13 @@ import numpy as np
 from ezdxf.document import Drawing
 from ezdxf.lldxf.validator import is_valid_layer_name
 
-from ..core.arc_fit import FIT_TOLERANCE, fit_outline
-from ..core.cut_contour import cut_contour
 from ..core.finding import BendTorsionError, error
-from ..core.forming import fold_direction
-from ..core.gross import marked_ends
-from ..core.inner_contours import text_field
+from ..core.geometry.arc_fit import FIT_TOLERANCE, fit_outline
 from ..core.lofting import DevelopedPlate, FoldLine
+from ..core.patterns.cut_contour import cut_contour
+from ..core.patterns.forming import fold_direction
+from ..core.patterns.gross import marked_ends
+from ..core.patterns.inner_contours import text_field
 from .collection import without_collection
 from .dxf_bevels import add_bevel_texts
 from .dxf_inner import add_face_marks, add_holes, add_level_text, clear_fields

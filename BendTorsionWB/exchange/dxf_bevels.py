@@ -7,8 +7,8 @@ import math
 
 import numpy as np
 
-from ..core.bevel_record import EdgeBevel
 from ..core.lofting import DevelopedPlate
+from ..core.welds.bevel_record import EdgeBevel
 from .dxf_text import CHARACTER_WIDTH, SMALLEST_TEXT, add_text
 
 _INSET = 12.0
@@ -61,7 +61,9 @@ def add_bevel_texts(space, plate: DevelopedPlate, layer: str, centre, height: fl
 def _place(plate: DevelopedPlate, bevel: EdgeBevel) -> np.ndarray:
     """(2, 2) a chord of the stretch, between measuring lines where it is long enough."""
     if bevel.side in ("start", "end"):
-        return plate.lines[0 if bevel.side == "start" else -1].flat
+        line = plate.lines[0 if bevel.side == "start" else -1]
+        parts = np.array([[bevel.start], [bevel.end]]) / line.length_3d
+        return line.flat[0] + parts * (line.flat[1] - line.flat[0])
     number = 0 if bevel.side == "first" else 1
     s = np.array([line.s for line in plate.lines])
     flat = np.array([line.flat[number] for line in plate.lines])

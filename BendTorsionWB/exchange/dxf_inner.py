@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..core.arc_contour import inside, polygon
-from ..core.inner_contours import hole_contour, line_stroke
+from ..core.geometry.arc_contour import inside, polygon
 from ..core.lofting import DevelopedPlate
+from ..core.patterns.inner_contours import hole_contour, line_stroke
 from .dxf_text import CHARACTER_WIDTH, add_line_text, add_text, figure, place
 
 

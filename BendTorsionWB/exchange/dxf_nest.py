@@ -8,9 +8,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..core.arc_fit import fit_outline
-from ..core.cut_contour import cut_contour
+from ..core.geometry.arc_fit import fit_outline
 from ..core.lofting import DevelopedPlate, MemberRecord
+from ..core.patterns.cut_contour import cut_contour
 from .dxf import LAYERS, document_bytes, draw_plate, new_document
 from .dxf_text import place
 

@@ -6,8 +6,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from ..core.forming_record import FormingRecord
 from ..core.lofting import DevelopedPlate
+from ..core.patterns.forming_record import FormingRecord
 from .xlsx_file import FINE, STRAIN, TENTH, TEXT, Column, Table
 
 FORMING = (

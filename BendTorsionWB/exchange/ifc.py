@@ -13,9 +13,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core.boundary import Boundary, Circle, Cylinder, Line, Plane, SplineSurface
 from ..core.lofting import DevelopedPlate
 from ..core.site import AT_ORIGIN, SiteDatum
+from ..core.solids.boundary import Boundary, Circle, Cylinder, Line, Plane, SplineSurface
 
 _DIGITS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$"
 

@@ -20,7 +20,7 @@ from pathlib import Path, PurePosixPath
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.core.lofting import MemberRecord
 from BendTorsionWB.exchange.csv_folder import csv_bytes
-from BendTorsionWB.exchange.output_folder import file_hash, read_manifest
+from BendTorsionWB.exchange.output_folder import file_hash, is_unfinished, read_manifest
 from BendTorsionWB.exchange.plate_outlines import (
     CutOutline,
     cut_outline,
@@ -28,8 +28,14 @@ from BendTorsionWB.exchange.plate_outlines import (
     write_outlines,
 )
 from BendTorsionWB.exchange.report import dxf_name, nc1_name
-from BendTorsionWB.exchange.revision import PlateChange, plate_changes, with_marking, write_revision
-from BendTorsionWB.exchange.whole_file import write_whole
+from BendTorsionWB.exchange.revision import (
+    REVISION,
+    PlateChange,
+    plate_changes,
+    with_marking,
+    write_revision,
+)
+from BendTorsionWB.exchange.whole_file import part_beside, remove_parts, write_whole
 from BendTorsionWB.exchange.xlsx_file import TENTH, TEXT, WHOLE, Column, Table, xlsx_bytes
 
 ISSUED = "issued"
@@ -69,7 +75,8 @@ def last_issue(out: Path) -> Issue | None:
     """The latest issue of a folder; raises BendTorsionError for a transmittal that cannot be
     read."""
     found = []
-    for path in sorted((out / ISSUED).glob(f"*/{TRANSMITTAL}.json")):
+    # What begins with a point was never issued: the program was killed over it.
+    for path in sorted((out / ISSUED).glob(f"[!.]*/{TRANSMITTAL}.json")):
         try:
             content = json.loads(path.read_text(encoding="utf-8"))
             files = {item["name"]: IssuedFile(**item) for item in content["files"]}
@@ -104,6 +111,8 @@ def issue(out: Path, revision: str, outlines: Path, note: str = "") -> Issue:
     target = out / ISSUED / revision
     former = last_issue(out)
     _check(out, revision, target)
+    if is_unfinished(out):
+        raise _fault("issue-nothing", str(out), "the last build did not end", "build it again")
     manifest = {n: own for n, own in read_manifest(out).items() if n not in _NOT_ISSUED}
     now = read_outlines(outlines)
     if not manifest or not now:
@@ -162,7 +171,8 @@ def _revised(name: str, revision: str) -> str:
 
 
 def _freeze(out: Path, target: Path, made: Issue, copies, outlines) -> None:
-    part = target.with_name(f".{made.revision}.{os.getpid()}.part")
+    part = part_beside(target)
+    remove_parts(target.parent)
     try:
         for name, issued_as in copies:
             (part / issued_as).parent.mkdir(parents=True, exist_ok=True)
@@ -254,6 +264,11 @@ def compared(
         others = read_outlines(kept).values()
         now |= {plate.mark: plate for plate in others if plate.member not in built}
     return Comparison(former, now, changes)
+
+
+def comparison_files(found: Comparison) -> list[str]:
+    """Names of the files write_comparison writes."""
+    return [] if found.issue is None else [f"{REVISION}.xlsx", f"{REVISION}.json"]
 
 
 def write_comparison(

@@ -13,15 +13,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..core.arc_contour import reversed_contour
-from ..core.arc_fit import FIT_TOLERANCE, fit_runs
-from ..core.bevel_record import EdgeBevel
-from ..core.cut_contour import cut_contour
 from ..core.finding import BendTorsionError, error
-from ..core.forming import fold_direction
-from ..core.gross import marked_ends
-from ..core.inner_contours import hole_contour, line_stroke, text_field
+from ..core.geometry.arc_contour import reversed_contour
+from ..core.geometry.arc_fit import FIT_TOLERANCE, fit_runs
 from ..core.lofting import DevelopedPlate, FlatMark, FoldLine
+from ..core.patterns.cut_contour import cut_contour
+from ..core.patterns.forming import fold_direction
+from ..core.patterns.gross import marked_ends
+from ..core.patterns.inner_contours import hole_contour, line_stroke, text_field
+from ..core.welds.bevel_record import EdgeBevel
 
 LONGEST_TEXT = 80
 MARK_GAP = 5.0

@@ -7,7 +7,7 @@ import math
 from collections.abc import Sequence
 
 from ..core.lofting import MemberRecord
-from ..core.node_record import NodeRecord
+from ..core.nodes.node_record import NodeRecord
 from .xlsx_file import FINE, TENTH, TEXT, WHOLE, Column, Table
 
 NODES = (

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import hashlib
+import itertools
 import json
 import os
 from collections.abc import Iterable, Mapping
@@ -11,10 +12,12 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error, warning
-from BendTorsionWB.exchange.whole_file import write_whole
+from BendTorsionWB.exchange.whole_file import not_written, remove_parts, write_whole
 
 MANIFEST = ".bendtorsion.json"
 """The record of our files in the folder."""
+JOURNAL = ".bendtorsion.journal"
+"""What a build has written so far, a line (JSON) per file; gone when its record is whole."""
 UPDATED = "update "
 """How the key of a document begins that was brought up to date and may hold hand-made additions."""
 
@@ -56,14 +59,53 @@ def check_project(out: Path, project: str, force: bool = False) -> None:
 
 
 def read_manifest(out: Path) -> dict[str, OwnFile]:
-    """Our files by name as the last build left them; nothing where the record is lost."""
+    """Our files by name as the last build left them, also one that was killed; nothing where the
+    record is lost."""
     files = _read(out).get("files")
-    inside = out.resolve()
     found = {}
     for name, item in files.items() if isinstance(files, dict) else ():
-        if isinstance(item, dict) and inside in (out / name).resolve().parents:
-            known = {key: str(item.get(key, "")) for key in ("member", "made_from", "sha256")}
-            found[name] = OwnFile(**known)
+        own = _own_file(out, name, item)
+        if own is not None:
+            found[name] = own
+    for name, own in _read_journal(out):
+        # Begun and perhaps not done: what the record says holds as long as the file is of it.
+        if name not in found or (own.sha256 and file_hash(out / name) == own.sha256):
+            found[name] = own
+    return found
+
+
+def _own_file(out: Path, name: str, item: object) -> OwnFile | None:
+    """A file of a record that may be damaged; None for what is none within the folder."""
+    try:
+        if not isinstance(item, dict) or out.resolve() not in (out / name).resolve().parents:
+            return None
+    except (OSError, ValueError):
+        return None
+    return OwnFile(*(str(item.get(key, "")) for key in ("member", "made_from", "sha256")))
+
+
+def is_unfinished(out: Path) -> bool:
+    """Whether the last build of a folder was killed before its end."""
+    return (out / JOURNAL).exists()
+
+
+def _read_journal(out: Path) -> list[tuple[str, OwnFile]]:
+    """Names and what is known of them, in the order they were written in; a line that was cut
+    short when the program died is none."""
+    try:
+        *lines, _ = (out / JOURNAL).read_text(encoding="utf-8").split("\n")
+    except (OSError, ValueError):
+        return []
+    found = []
+    for line in lines:
+        try:
+            item = json.loads(line)
+            name = str(item["name"])
+        except (ValueError, KeyError, TypeError):
+            continue
+        own = _own_file(out, name, item)
+        if own is not None:
+            found.append((name, own))
     return found
 
 
@@ -119,6 +161,9 @@ class OutputFolder:
 
     def __init__(self, out: Path, former: dict[str, OwnFile], project: str = ""):
         self.out, self.former, self.now, self.project = out, former, {}, project
+        self._noted = False
+        for folder in {out, out / ".cache", *((out / name).parent for name in former)}:
+            remove_parts(folder)
 
     def has(self, name: str, made_from: str) -> bool:
         """Whether the file is there already, from this very input."""
@@ -128,17 +173,49 @@ class OutputFolder:
         """The file stays as it is."""
         self.now[name] = self.former[name]
 
+    def begin(self, name: str, member: str = "") -> None:
+        """The file is about to be written: after a kill the next build knows it as ours."""
+        self._note(name, OwnFile(member))
+
+    def write(self, name: str, content: bytes, made_from: str, member: str = "") -> None:
+        """Write a file. Raises BendTorsionError."""
+        own = OwnFile(member, made_from, hashlib.sha256(content).hexdigest())
+        self._note(name, own)
+        write_whole(self.out / name, content)
+        self.now[name] = own
+
     def wrote(self, name: str, made_from: str, member: str = "") -> None:
-        """The file has just been written."""
+        """The file, begun before, has just been written."""
         self.now[name] = OwnFile(member, made_from, file_hash(self.out / name))
+        self._note(name, self.now[name])
+
+    def _note(self, name: str, own: OwnFile) -> None:
+        place = self.out / name
+        if "\0" in name or self.out.resolve() not in place.resolve().parents:
+            mend = "rename the member, section or plate it is named after"
+            raise BendTorsionError(error("file-outside", name, "lies outside the folder", mend))
+        line = json.dumps({"name": name, **asdict(own)}) + "\n"
+        try:
+            self.out.mkdir(parents=True, exist_ok=True)
+            if not self._noted and _read(self.out).get("project") != self.project:
+                # Whose files they are is known from the first one on.
+                write_manifest(self.out, self.former, self.project)
+            # A line that was cut short must not swallow the next one.
+            start = "" if self._noted else "\n"
+            with open(self.out / JOURNAL, "a", encoding="utf-8", newline="\n") as stream:
+                stream.write(start + line)
+            self._noted = True
+        except OSError as failure:
+            raise BendTorsionError(not_written(self.out / name, failure)) from failure
 
     def save_by_hand(self, name: str) -> None:
-        """Set a document aside that may hold work by hand, before another takes its place."""
+        """Set a document aside that may hold work by hand, before another takes its place, beside
+        those set aside before."""
         own = self.former.get(name)
         place = self.out / name
         by_hand = own is None or own.made_from.startswith(UPDATED)
         if place.exists() and (by_hand or file_hash(place) != own.sha256):
-            os.replace(place, place.with_suffix(f".former{place.suffix}"))
+            os.replace(place, _free(place))
 
     def close(self, built: set[str] | None) -> tuple[Finding, ...]:
         """Remove what is no longer made, and keep the record. built: the members of a partial
@@ -161,4 +238,14 @@ class OutputFolder:
             else:
                 remove(self.out, [name])
         write_manifest(self.out, self.now, self.project)
+        remove(self.out, [JOURNAL])
         return tuple(outdated)
+
+
+def _free(place: Path) -> Path:
+    """`model.former.FCStd` of `model.FCStd`, numbered when there is one already."""
+    for number in itertools.count(1):
+        ending = "former" if number == 1 else f"former-{number}"
+        free = place.with_suffix(f".{ending}{place.suffix}")
+        if not os.path.lexists(free):
+            return free

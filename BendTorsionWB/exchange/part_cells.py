@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from ..core.diaphragm_input import ENDS, closing_of
-from ..core.face_marks import mark_words
 from ..core.finding import BendTorsionError
-from ..core.hole_shape import hole_shape, placed_hole
-from ..core.pieces import end_words
+from ..core.joints.pieces import end_words
+from ..core.plates.diaphragm_input import ENDS, closing_of
+from ..core.plates.face_marks import mark_words
+from ..core.plates.hole_shape import hole_shape, placed_hole
 from .schedule_cells import BadCell, along, text
 
 

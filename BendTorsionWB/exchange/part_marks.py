@@ -11,7 +11,7 @@ from pathlib import Path
 
 from ..core.finding import BendTorsionError, Finding, note
 from ..core.lofting import MemberRecord
-from ..core.numbering import numbered, shared_marks, with_shared
+from ..core.patterns.numbering import numbered, shared_marks, with_shared
 from .whole_file import write_changed
 
 FILE = "parts.json"

@@ -6,8 +6,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from ..core.gross import as_cut
 from ..core.lofting import DevelopedPlate
+from ..core.patterns.gross import as_cut
 from .xlsx_file import FINE, STRAIN, TENTH, TEXT, Column
 
 GROSS = (

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ..core.joints.pieces import end_text
 from ..core.lofting import MemberRecord
-from ..core.piece_record import PieceFigures
-from ..core.pieces import end_text
+from ..core.members.piece_record import PieceFigures
 from .xlsx_file import TENTH, TEXT, WHOLE, Column, Table
 
 PIECES = (

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import numpy as np
 
-from BendTorsionWB.core.gross import as_cut
 from BendTorsionWB.core.lofting import DevelopedPlate
+from BendTorsionWB.core.patterns.gross import as_cut
 from BendTorsionWB.exchange.whole_file import write_changed
 
 

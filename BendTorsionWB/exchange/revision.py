@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from BendTorsionWB.core.finding import Finding, error, warning
-from BendTorsionWB.core.outline_change import SAME, deviation, trim
+from BendTorsionWB.core.patterns.outline_change import SAME, deviation, trim
 from BendTorsionWB.exchange.plate_outlines import CutOutline
 from BendTorsionWB.exchange.whole_file import write_changed
 from BendTorsionWB.exchange.xlsx_file import FINE, TENTH, TEXT, Column, Table, xlsx_bytes

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.axis_source import AxisSource, axis_source, found_source
-from ..core.curve import Curve
+from ..core.axes.axis_source import AxisSource, axis_source, found_source
 from ..core.finding import BendTorsionError, error, has_error
-from ..core.nurbs import NurbsPatch
+from ..core.geometry.curve import Curve
+from ..core.geometry.nurbs import NurbsPatch
 
 UNITS = {
     "Microns": 1e-3,

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.part_tables import PART_COLUMNS, material_text
-from BendTorsionWB.core.preps import Prep, prep_text
+from BendTorsionWB.core.welds.preps import Prep, prep_text
 from BendTorsionWB.exchange.schedule_cells import Joints
 from BendTorsionWB.exchange.schedule_checks import check
 from BendTorsionWB.exchange.schedule_columns import SHEETS

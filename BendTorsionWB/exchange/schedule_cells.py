@@ -10,7 +10,8 @@ import unicodedata
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from ..core.thickness import STAGGER_WORDS, stagger_offsets
+from ..core.members.thickness import STAGGER_WORDS, stagger_offsets
+from .file_name import is_device
 
 # Beyond any site grid in mm; larger figures are slips that would only overflow later.
 LARGEST_NUMBER = 1e10
@@ -157,6 +158,7 @@ class Name:
             mend = f"shorten it to {LONGEST_NAME} characters"
             raise BadCell("name-too-long", "the name is too long", mend, LONGEST_NAME)
         unfit = _NOT_IN_A_FILE_NAME.search(name) or name.startswith(".") or name.endswith(".")
+        unfit = unfit or is_device(name)
         if self.names_files and unfit:
             mend = "use letters, digits, blanks, '-', '_' and inner points only"
             raise BadCell("bad-name", "this name cannot name a file", mend)

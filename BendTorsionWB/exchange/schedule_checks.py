@@ -9,7 +9,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.preps import prep_of
+from BendTorsionWB.core.welds.preps import prep_of
 from BendTorsionWB.exchange.schedule_axis_checks import check_frames, check_presets
 from BendTorsionWB.exchange.schedule_cells import did_you_mean
 from BendTorsionWB.exchange.schedule_columns import (

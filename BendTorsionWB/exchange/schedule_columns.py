@@ -7,27 +7,27 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-from BendTorsionWB.core import preps
-from BendTorsionWB.core.bevels import CONTOURS
-from BendTorsionWB.core.flattened_surface import SURFACES
-from BendTorsionWB.core.gross import (
-    LARGEST_ALLOWANCE,
-    LARGEST_GREEN,
-    LARGEST_SHRINKAGE,
-    SPLICES,
-)
-from BendTorsionWB.core.laid_flat import MARKING_FACES
-from BendTorsionWB.core.node_input import DIAPHRAGMS, TYPES
-from BendTorsionWB.core.pattern import MODES
-from BendTorsionWB.core.segment import ALIGNMENTS
-from BendTorsionWB.core.sheet_style import (
+from BendTorsionWB.core.drawings.sheet_style import (
     FORMATS,
     LANGUAGES,
     LENGTH_UNITS,
     PLAIN_STYLE,
     STANDARDS,
 )
+from BendTorsionWB.core.members.segment import ALIGNMENTS
+from BendTorsionWB.core.nodes.node_input import DIAPHRAGMS, TYPES
+from BendTorsionWB.core.patterns.flattened_surface import SURFACES
+from BendTorsionWB.core.patterns.gross import (
+    LARGEST_ALLOWANCE,
+    LARGEST_GREEN,
+    LARGEST_SHRINKAGE,
+    SPLICES,
+)
+from BendTorsionWB.core.patterns.laid_flat import MARKING_FACES
+from BendTorsionWB.core.patterns.pattern import MODES
 from BendTorsionWB.core.site import UNITS
+from BendTorsionWB.core.welds import preps
+from BendTorsionWB.core.welds.bevels import CONTOURS
 from BendTorsionWB.exchange import part_cells
 from BendTorsionWB.exchange.schedule_cells import (
     Choice,
@@ -173,7 +173,7 @@ SHEETS: dict[str, tuple[Column, ...]] = {
     "Strips": (
         Column("section", Name(), True),
         Column("face", Name(), True),
-        Column("letter", Name(), True),
+        Column("letter", Name(names_files=True), True),
         Column("y1", LENGTH, True),
         Column("z1", LENGTH, True),
         Column("y2", LENGTH, True),

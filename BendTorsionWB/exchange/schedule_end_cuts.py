@@ -7,8 +7,8 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from ..core.end_cut import KINDS, SQUARE, EndCut
-from ..core.surface import Surface
+from ..core.geometry.surface import Surface
+from ..core.members.end_cut import KINDS, SQUARE, EndCut
 from .schedule_cells import BadCell, Number, did_you_mean, text
 
 CUT_COLUMNS = ("start_cut", "end_cut")

@@ -10,20 +10,20 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..core import part_tables, rules
-from ..core.axis_ends import AxisEnd
-from ..core.axis_input import AxisInput
-from ..core.axis_preset import Preset
-from ..core.axis_source import AxisSource
-from ..core.bed_face import BedInput
+from ..core.axes.axis_ends import AxisEnd
+from ..core.axes.axis_input import AxisInput
+from ..core.axes.axis_preset import Preset
+from ..core.axes.axis_source import AxisSource
+from ..core.axes.frames import FrameInput
+from ..core.axes.frames_law import GivenDirection
+from ..core.beds.bed_face import BedInput
 from ..core.detailing import MemberInput, MemberJob, PlatesInput
 from ..core.finding import BendTorsionError, Finding
-from ..core.frames import FrameInput
-from ..core.frames_law import GivenDirection
-from ..core.lanes import Lanes
-from ..core.plates import Joints
-from ..core.section import Material, Section
-from ..core.surface import Flipped, Offset, Surface, analytic_surface
-from ..core.zones import Segment
+from ..core.geometry.surface import Flipped, Offset, Surface, analytic_surface
+from ..core.joints.lanes import Lanes
+from ..core.members.zones import Segment
+from ..core.plates.plates import Joints
+from ..core.sections.section import Material, Section
 from .schedule_end_cuts import core_cut
 from .schedule_rows import AxisRow, MemberRow, Schedule, SegmentRow, Settings
 from .schedule_sections import core_section

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 
 from BendTorsionWB.core.detailing import MemberJob
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.node_input import NodeInput
-from BendTorsionWB.core.node_jobs import jobs_with_nodes
-from BendTorsionWB.core.nodes import Found
+from BendTorsionWB.core.nodes.node_input import NodeInput
+from BendTorsionWB.core.nodes.node_jobs import jobs_with_nodes
+from BendTorsionWB.core.nodes.nodes import Found
 from BendTorsionWB.core.rules import node_rules
 
 NODE_COLUMNS = (

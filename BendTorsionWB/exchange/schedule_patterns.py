@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-from BendTorsionWB.core.gross import Allowances
-from BendTorsionWB.core.laid_flat import PatternInput
+from BendTorsionWB.core.patterns.gross import Allowances
+from BendTorsionWB.core.patterns.laid_flat import PatternInput
 from BendTorsionWB.exchange.schedule_columns import PATTERN_COLUMNS
 
 

@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.finding import Finding
-from BendTorsionWB.core.laid_flat import PLAIN, PatternInput
-from BendTorsionWB.core.section_strips import StripRow
-from BendTorsionWB.core.sheet_style import SheetStyle
+from BendTorsionWB.core.patterns.laid_flat import PLAIN, PatternInput
+from BendTorsionWB.core.sections.section_strips import StripRow
 from BendTorsionWB.core.site import SiteDatum
 from BendTorsionWB.exchange.schedule_cells import Cut, FilePart, Joints
 from BendTorsionWB.exchange.schedule_end_cuts import EndCutCell

@@ -7,11 +7,11 @@ import re
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 
-from BendTorsionWB.core import section_catalogue
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.section import BOX_TYPES, STEEL, Material, Section
-from BendTorsionWB.core.section_strips import StripRow
-from BendTorsionWB.core.section_types import section_of
+from BendTorsionWB.core.sections import section_catalogue
+from BendTorsionWB.core.sections.section import BOX_TYPES, STEEL, Material, Section
+from BendTorsionWB.core.sections.section_strips import StripRow
+from BendTorsionWB.core.sections.section_types import section_of
 from BendTorsionWB.exchange.schedule_cells import did_you_mean
 
 THICKNESSES = ("t_top", "t_bottom", "t_web")

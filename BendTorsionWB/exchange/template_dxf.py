@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from ..core.bed_record import Template
+from ..core.beds.bed_record import Template
 from .dxf import CUT_OUTER, LAYERS, MARK_LINE, MARK_TEXT, document_bytes, new_document
 from .dxf_text import place
 

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from ..core.lofting import MemberRecord
-from ..core.weld_record import Weld
+from ..core.welds.weld_record import Weld
 from .xlsx_file import FINE, TENTH, TEXT, WHOLE, Column, Table
 
 JOINTS = (

@@ -5,12 +5,16 @@ from __future__ import annotations
 
 import errno
 import os
+import re
+import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from ..core.finding import BendTorsionError, error
+from ..core.finding import BendTorsionError, Finding, error
 
+LONGEST_STEM = 40
+_PART = re.compile(r"\..*\.[0-9]+\.part(\..*)?", re.DOTALL)
 _MENDS = {
     errno.EACCES: "close the program that holds it open, or allow writing to its folder",
     errno.EPERM: "close the program that holds it open, or allow writing to its folder",
@@ -20,6 +24,7 @@ _MENDS = {
     errno.ENOTDIR: "a file stands where a folder is needed: rename it or choose another folder",
     errno.EEXIST: "a file stands where a folder is needed: rename it or choose another folder",
     errno.EISDIR: "a folder has the file's name: rename it or choose another folder",
+    errno.EFBIG: "free space on the disk, or choose another folder",
     errno.ENAMETOOLONG: "shorten the name or the folder's path",
 }
 
@@ -34,15 +39,35 @@ def whole_file(path: str | os.PathLike) -> Iterator[Path]:
     with one finding that names the path and the mend.
     """
     path = Path(path)
-    part = path.with_name(f".{path.stem}.{os.getpid()}.part{path.suffix}")
+    part = part_beside(path)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         yield part
         os.replace(part, path)
     except OSError as failure:
-        raise BendTorsionError(_not_written(path, failure)) from failure
+        raise BendTorsionError(not_written(path, failure)) from failure
     finally:
         _remove(part)
+
+
+def part_beside(path: Path) -> Path:
+    """Where something is made before it becomes `path`: hidden, with this process's number; its
+    name stays short where that of `path` is as long as can be."""
+    return path.with_name(f".{path.stem[:LONGEST_STEM]}.{os.getpid()}.part{path.suffix}")
+
+
+def remove_parts(folder: Path) -> None:
+    """Remove from a folder what a process that was killed left unfinished. For folders that no
+    other process is writing into."""
+    try:
+        left = [path for path in folder.iterdir() if _PART.fullmatch(path.name)]
+    except OSError:
+        return
+    for path in left:
+        if path.is_dir() and not path.is_symlink():
+            shutil.rmtree(path, ignore_errors=True)
+        else:
+            _remove(path)
 
 
 def write_whole(path: str | os.PathLike, content: bytes) -> None:
@@ -61,7 +86,8 @@ def write_changed(path: str | os.PathLike, content: bytes) -> None:
     write_whole(path, content)
 
 
-def _not_written(path: Path, failure: OSError):
+def not_written(path: Path, failure: OSError) -> Finding:
+    """The finding for what could not be written, with its mend."""
     mend = _MENDS.get(failure.errno, "check that the folder exists and can be written to")
     return error(
         "file-not-written",

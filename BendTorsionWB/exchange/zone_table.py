@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..core.lofting import MemberRecord, ZoneRecord
-from ..core.section import BOX_FACES
+from ..core.sections.section import BOX_FACES
 from .xlsx_file import TENTH, TEXT, Column, Table
 
 ZONES = (

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 from pivy import coin
 
-from BendTorsionWB.core import detailing, frames
+from BendTorsionWB.core import detailing
+from BendTorsionWB.core.axes import frames
+from BendTorsionWB.core.axes.frames import Frames
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.frames import Frames
 from BendTorsionWB.core.lofting import MemberRecord
 from BendTorsionWB.gui import frame_ribbon, plate_labels
 from BendTorsionWB.objects import axis as axis_object

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 from pivy import coin
 
-from BendTorsionWB.core.frames import Frames
+from BendTorsionWB.core.axes.frames import Frames
 
 STATIONS = 121
 RUNG_EVERY = 6

@@ -197,7 +197,7 @@ class MemberPanel(TaskPanel):
         """Put the cut nearest to a point picked in the 3D view."""
         import numpy as np
 
-        from BendTorsionWB.core.axis_places import cut_place
+        from BendTorsionWB.core.axes.axis_places import cut_place
         from BendTorsionWB.objects import axis as axis_object
 
         try:

@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from BendTorsionWB.core.segment import ALIGN_TO, ALIGNMENTS, TRANSITIONS
+from BendTorsionWB.core.members.segment import ALIGN_TO, ALIGNMENTS, TRANSITIONS
 from BendTorsionWB.gui.joint_words import joints_text, parse_joints
 
 COLUMNS = (

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import FreeCAD
 
-from BendTorsionWB.core import surface as core_surface
+from BendTorsionWB.core.geometry import surface as core_surface
 from BendTorsionWB.gui.alignment_picker import AlignmentPicker
 from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.property_form import PropertyForm

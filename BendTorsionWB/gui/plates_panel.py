@@ -7,7 +7,7 @@ import FreeCAD
 
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.part_tables import PART_COLUMNS, READERS
-from BendTorsionWB.core.section import BOX_FACES
+from BendTorsionWB.core.sections.section import BOX_FACES
 from BendTorsionWB.gui.joint_words import joints_text, set_joints
 from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.property_form import FLAWED, PropertyForm

@@ -62,7 +62,7 @@ def _rule_packs() -> tuple[str, ...]:
 
 
 def _modes() -> tuple[str, ...]:
-    from BendTorsionWB.core.pattern import MODES
+    from BendTorsionWB.core.patterns.pattern import MODES
 
     return MODES
 

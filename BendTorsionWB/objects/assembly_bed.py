@@ -10,9 +10,9 @@ import numpy as np
 import Part
 
 from BendTorsionWB.core import detailing
-from BendTorsionWB.core.bed_face import PLANES, BedInput
-from BendTorsionWB.core.bed_record import Bed
-from BendTorsionWB.core.rigid import moved
+from BendTorsionWB.core.beds.bed_face import PLANES, BedInput
+from BendTorsionWB.core.beds.bed_record import Bed
+from BendTorsionWB.core.geometry.rigid import moved
 from BendTorsionWB.objects import plate_set as plates_object
 from BendTorsionWB.objects.proxy import Property, Proxy, linked
 

@@ -8,18 +8,19 @@ import math
 import numpy as np
 import Part
 
-from BendTorsionWB.core import axis as core_axis
-from BendTorsionWB.core import detailing, frames
-from BendTorsionWB.core.axis_ends import AxisEnd
-from BendTorsionWB.core.axis_fit import Refinement
-from BendTorsionWB.core.axis_input import AxisInput
-from BendTorsionWB.core.axis_iso import IsoCurve
-from BendTorsionWB.core.axis_places import crossings
-from BendTorsionWB.core.axis_preset import Preset
-from BendTorsionWB.core.axis_rule import Geodesic, PlaneSection
+from BendTorsionWB.core import detailing
+from BendTorsionWB.core.axes import axis as core_axis
+from BendTorsionWB.core.axes import frames
+from BendTorsionWB.core.axes.axis_ends import AxisEnd
+from BendTorsionWB.core.axes.axis_fit import Refinement
+from BendTorsionWB.core.axes.axis_input import AxisInput
+from BendTorsionWB.core.axes.axis_iso import IsoCurve
+from BendTorsionWB.core.axes.axis_places import crossings
+from BendTorsionWB.core.axes.axis_preset import Preset
+from BendTorsionWB.core.axes.axis_rule import Geodesic, PlaneSection
+from BendTorsionWB.core.axes.frames_law import GivenDirection
+from BendTorsionWB.core.axes.surface_check import surface_findings
 from BendTorsionWB.core.finding import BendTorsionError, error
-from BendTorsionWB.core.frames_law import GivenDirection
-from BendTorsionWB.core.surface_check import surface_findings
 from BendTorsionWB.objects import surface as surface_object
 from BendTorsionWB.objects.axis_properties import PROPERTIES
 from BendTorsionWB.objects.proxy import Proxy, linked

@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
-from BendTorsionWB.core import frames, tolerances
-from BendTorsionWB.core.axis import FITS
-from BendTorsionWB.core.axis_input import DIRECTIONS, ORDERS
+from BendTorsionWB.core import tolerances
+from BendTorsionWB.core.axes import frames
+from BendTorsionWB.core.axes.axis import FITS
+from BendTorsionWB.core.axes.axis_input import DIRECTIONS, ORDERS
 from BendTorsionWB.objects.proxy import Property
 from BendTorsionWB.shapes import axis_source
 

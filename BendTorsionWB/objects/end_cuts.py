@@ -5,11 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-import FreeCAD
-
-from BendTorsionWB.core.end_cut import KINDS, SQUARE, EndCut
 from BendTorsionWB.core.finding import BendTorsionError, error
+from BendTorsionWB.core.members.end_cut import KINDS, SQUARE, EndCut
+from BendTorsionWB.objects import given
 from BendTorsionWB.objects import surface as surface_object
+from BendTorsionWB.objects.given import Given
 from BendTorsionWB.objects.proxy import Property
 from BendTorsionWB.shapes import from_part
 
@@ -61,20 +61,29 @@ def end_cuts(obj) -> tuple[EndCut, EndCut]:
     return tuple(_end_cut(obj, end) for end in ENDS)
 
 
-def set_cut(obj, end: str, given: str | Mapping) -> None:
-    """Write a cut, a kind or a mapping with kind and any of offset, normal, point and face, into
-    the properties of `Start` or `End`."""
-    given = {"kind": given} if isinstance(given, str) else given
-    setattr(obj, f"{end}Cut", given.get("kind", "square"))
-    setattr(obj, f"{end}CutOffset", given.get("offset") or 0.0)
-    setattr(obj, f"{end}CutNormal", FreeCAD.Vector(*(given.get("normal") or (0.0, 0.0, 0.0))))
-    setattr(obj, f"{end}CutAtPoint", given.get("point") is not None)
-    setattr(obj, f"{end}CutPoint", FreeCAD.Vector(*(given.get("point") or (0.0, 0.0, 0.0))))
-    face = given.get("face")
+CUT_WORDS = ("kind", "offset", "normal", "point", "face", "surface")
+
+
+def given_cut(label: str, end: str, argument: str, cut: str | Mapping) -> list[Given]:
+    """The properties of `Start` or `End` for a cut, a kind or a mapping with kind and any of
+    offset, normal, point and face. Raises BendTorsionError for what is neither, and other words."""
+    if not isinstance(cut, str | Mapping):
+        given.refuse(label, argument, cut, "is no cut", "write square, or {'kind': ...}")
+    cut = {"kind": cut} if isinstance(cut, str) else cut
+    given.refuse_unknown(label, cut, CUT_WORDS, f"word of {argument}")
+    nowhere = (0.0, 0.0, 0.0)
+    values = [
+        Given(f"{end}Cut", f"{argument} kind", cut.get("kind", "square")),
+        Given(f"{end}CutOffset", f"{argument} offset", cut.get("offset") or 0.0),
+        Given(f"{end}CutNormal", f"{argument} normal", cut.get("normal") or nowhere),
+        Given(f"{end}CutAtPoint", f"{argument} point", cut.get("point") is not None),
+        Given(f"{end}CutPoint", f"{argument} point", cut.get("point") or nowhere),
+    ]
+    face = cut.get("face")
     if face is not None:
-        target, names = face if isinstance(face, tuple) else (face, "")
-        names = [names] if isinstance(names, str) else list(names)
-        setattr(obj, f"{end}CutFace", (target, names))
+        picked = face if isinstance(face, tuple) else (face, "")
+        values.append(Given(f"{end}CutFace", f"{argument} face", picked))
+    return values
 
 
 def cut_words(obj, end: str) -> str | None:

@@ -7,13 +7,14 @@ import math
 
 import numpy as np
 
-from BendTorsionWB.core import detailing, segment
-from BendTorsionWB.core.axis import Axis
-from BendTorsionWB.core.axis_places import cut_place
+from BendTorsionWB.core import detailing
+from BendTorsionWB.core.axes.axis import Axis
+from BendTorsionWB.core.axes.axis_places import cut_place
+from BendTorsionWB.core.axes.frames import torsion_angle
 from BendTorsionWB.core.finding import BendTorsionError, error
-from BendTorsionWB.core.frames import torsion_angle
-from BendTorsionWB.core.thickness import USUAL_RULES, ThicknessRules
-from BendTorsionWB.core.zone_table import zone_records
+from BendTorsionWB.core.members import segment
+from BendTorsionWB.core.members.thickness import USUAL_RULES, ThicknessRules
+from BendTorsionWB.core.members.zone_table import zone_records
 from BendTorsionWB.objects import axis as axis_object
 from BendTorsionWB.objects import end_cuts
 from BendTorsionWB.objects import section_spec as section_object

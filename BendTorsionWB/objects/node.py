@@ -8,9 +8,9 @@ from collections.abc import Iterable
 
 from BendTorsionWB.core import detailing, rules
 from BendTorsionWB.core.finding import BendTorsionError, error, has_error
-from BendTorsionWB.core.node_blend import with_blends
-from BendTorsionWB.core.node_input import DIAPHRAGMS, TYPES, NodeInput
-from BendTorsionWB.core.nodes import Node as CoreNode
+from BendTorsionWB.core.nodes.node_blend import with_blends
+from BendTorsionWB.core.nodes.node_input import DIAPHRAGMS, TYPES, NodeInput
+from BendTorsionWB.core.nodes.nodes import Node as CoreNode
 from BendTorsionWB.objects import member as member_object
 from BendTorsionWB.objects.proxy import Property, Proxy, linked
 from BendTorsionWB.shapes import node_shape

@@ -8,10 +8,13 @@ rows.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.core.part_tables import PART_COLUMNS, READERS
+from BendTorsionWB.objects import given
+from BendTorsionWB.objects.given import Given
 from BendTorsionWB.objects.proxy import Property
 
 _NUMBERS = "App::PropertyFloatList"
@@ -130,16 +133,46 @@ def given_parts(obj) -> dict[str, tuple]:
 
 def set_parts(obj, table: str, rows: Sequence[Mapping[str, object]]) -> None:
     """Write rows (column -> value) of a table, Diaphragms … Pieces, into a PlateSet's lists."""
+    for item in lists_of_rows(obj.Label, table, rows):
+        setattr(obj, item.property, item.value)
+
+
+def lists_of_rows(label: str, table: str, rows: Sequence[Mapping[str, object]]) -> list[Given]:
+    """The lists of a PlateSet for rows (column -> value) of a table. Raises BendTorsionError, by
+    row and column, for columns the table has not, numbers that are none and words that mean
+    nothing."""
+    rows = given.read(label, table.lower(), rows, given.rows)
+    for k, row in enumerate(rows, start=1):
+        given.read(label, f"{table.lower()} row {k}", row, given.mapping)
+        given.refuse_unknown(label, row, PART_COLUMNS[table], f"column of {table.lower()}")
+    lists = []
     for column in PART_COLUMNS[table]:
         name, kind, _ = _LISTS[table, column]
         values = [row.get(column) for row in rows]
         if all(value in (None, "", 0.0) for value in values):
             values = []
         elif kind == _NUMBERS:
-            values = [float(value or 0.0) for value in values]
+            values = [
+                given.read(label, f"{table.lower()} row {k} {column}", value, _number)
+                for k, value in enumerate(values, start=1)
+            ]
         else:
             values = ["" if value is None else str(value) for value in values]
-        setattr(obj, name, values)
+        lists.append(Given(name, table.lower(), values))
+    columns = dict(zip(PART_COLUMNS[table], (item.value for item in lists), strict=True))
+    _read_rows(label, table, columns, len(rows))
+    return lists
+
+
+def _number(value: object) -> float:
+    """A cell as a number, 0 when empty; ValueError (message, mend)."""
+    try:
+        number = float(value or 0.0)
+    except (TypeError, ValueError):
+        number = math.nan
+    if not math.isfinite(number):
+        raise ValueError("is no number", "give a number")
+    return number
 
 
 def rows_of(obj, table: str) -> list[dict[str, object]]:
@@ -183,20 +216,37 @@ def _read(obj, table: str) -> tuple:
                     limit=count,
                 )
             )
+    columns = {column: values for column, (_, values) in lists.items()}
+    return _read_rows(obj.Label, table, columns, count)
+
+
+def _read_rows(label: str, table: str, columns: Mapping[str, Sequence], count: int) -> tuple:
+    """Rows of a table, a list per column (empty: its default in all), as the core takes them.
+    Raises BendTorsionError by row for words that mean nothing."""
     rows = []
     for k in range(count):
-        row = {column: values[k] if values else "" for column, (_, values) in lists.items()}
+        row = {column: values[k] if values else "" for column, values in columns.items()}
         try:
             rows.append(READERS[table](row))
         except BendTorsionError as problem:
             raise BendTorsionError(
                 error(
                     f.code,
-                    obj.Label,
+                    label,
                     f"{table}, row {k + 1}: {f.message}",
                     f.mend,
                     value=f.value,
                 )
                 for f in problem.findings
+            ) from problem
+        except ValueError as problem:
+            raise BendTorsionError(
+                error(
+                    "part-row",
+                    label,
+                    f"{table}, row {k + 1}: a number is missing or cannot be read",
+                    "fill in the row",
+                    value=", ".join(f"{name} {cell}" for name, cell in row.items() if cell != ""),
+                )
             ) from problem
     return tuple(rows)

@@ -7,11 +7,11 @@ import FreeCAD
 
 from BendTorsionWB.core import detailing, rules, tolerances
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error
-from BendTorsionWB.core.lanes import Lanes
-from BendTorsionWB.core.node_members import nodes_of_member
-from BendTorsionWB.core.plates import Joints, Plate
-from BendTorsionWB.core.section import BOX_FACES
-from BendTorsionWB.core.volume import strip_volume
+from BendTorsionWB.core.joints.lanes import Lanes
+from BendTorsionWB.core.members.volume import strip_volume
+from BendTorsionWB.core.nodes.node_members import nodes_of_member
+from BendTorsionWB.core.plates.plates import Joints, Plate
+from BendTorsionWB.core.sections.section import BOX_FACES
 from BendTorsionWB.objects import colours, plate_parts
 from BendTorsionWB.objects import member as member_object
 from BendTorsionWB.objects import node as node_object
@@ -167,11 +167,15 @@ class PlateSet(Proxy):
         return findings
 
 
+def properties_of(face: str) -> tuple[Property, ...]:
+    """The properties for joints and lanes of a face, `Joints` and `Lanes` and its name."""
+    return _joints_property(face), _lanes_property(face)
+
+
 def add_joints(obj, face: str) -> None:
-    """Give a PlateSet the properties for joints and lanes of a face, `Joints` and `Lanes` and its
-    name."""
-    add_property(obj, _joints_property(face))
-    add_property(obj, _lanes_property(face))
+    """Give a PlateSet the properties for joints and lanes of a face."""
+    for declared in properties_of(face):
+        add_property(obj, declared)
 
 
 def accepted(plate: Plate, sound: bool, volume: float) -> list[Finding]:

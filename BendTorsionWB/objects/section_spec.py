@@ -7,16 +7,16 @@ import FreeCAD
 import Part
 
 from BendTorsionWB.core import rules
-from BendTorsionWB.core import section as core_section
 from BendTorsionWB.core.finding import BendTorsionError, error
-from BendTorsionWB.core.section_properties import (
+from BendTorsionWB.core.sections import section as core_section
+from BendTorsionWB.core.sections.section_properties import (
     flat_parts,
     section_properties,
     slenderness_class,
 )
-from BendTorsionWB.core.section_strips import StripRow
-from BendTorsionWB.core.section_types import CORNER_JOINTS, TYPES, section_of
-from BendTorsionWB.core.strip_lines import section_polygons
+from BendTorsionWB.core.sections.section_strips import StripRow
+from BendTorsionWB.core.sections.section_types import CORNER_JOINTS, TYPES, section_of
+from BendTorsionWB.core.sections.strip_lines import section_polygons
 from BendTorsionWB.objects.proxy import Property, Proxy
 
 _LENGTH = "App::PropertyLength"

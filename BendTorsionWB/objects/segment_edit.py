@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from BendTorsionWB.core.axis_places import cut_place
+from BendTorsionWB.core.axes.axis_places import cut_place
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.objects import axis as axis_object
 from BendTorsionWB.objects.member import cut_of, segment_properties

@@ -16,11 +16,9 @@ import FreeCAD
 import Part
 
 from BendTorsionWB.core.detailing import with_beds
-from BendTorsionWB.core.finding import BendTorsionError, error, has_error
-from BendTorsionWB.core.lofting import MemberRecord
-from BendTorsionWB.core.sheet import Sheet
-from BendTorsionWB.core.sheet_layout import member_sheets
-from BendTorsionWB.core.sheet_style import (
+from BendTorsionWB.core.drawings.sheet import Sheet
+from BendTorsionWB.core.drawings.sheet_layout import member_sheets
+from BendTorsionWB.core.drawings.sheet_style import (
     FORMATS,
     LANGUAGES,
     LENGTH_UNITS,
@@ -28,6 +26,8 @@ from BendTorsionWB.core.sheet_style import (
     STANDARDS,
     SheetStyle,
 )
+from BendTorsionWB.core.finding import BendTorsionError, error, has_error
+from BendTorsionWB.core.lofting import MemberRecord
 from BendTorsionWB.core.site import UNITS, SiteDatum
 from BendTorsionWB.objects.assembly_bed import value as beds_of_object
 from BendTorsionWB.objects.proxy import Property, Proxy, findings_of, linked

@@ -7,9 +7,9 @@ import math
 
 import Part
 
-from BendTorsionWB.core import surface as core_surface
+from BendTorsionWB.core.axes.surface_check import size_findings
 from BendTorsionWB.core.finding import BendTorsionError, error
-from BendTorsionWB.core.surface_check import size_findings
+from BendTorsionWB.core.geometry import surface as core_surface
 from BendTorsionWB.objects.proxy import Property, Proxy
 from BendTorsionWB.shapes import from_part, surface_shape
 

@@ -6,13 +6,13 @@ from __future__ import annotations
 import math
 
 from BendTorsionWB.core import detailing
-from BendTorsionWB.core.bevels import CONTOURS
-from BendTorsionWB.core.flattened_surface import SURFACES
-from BendTorsionWB.core.flattening_errors import worst_errors
-from BendTorsionWB.core.gross import SPLICES, Allowances, as_cut
-from BendTorsionWB.core.laid_flat import MARKING_FACES, PatternInput
 from BendTorsionWB.core.lofting import MemberRecord
-from BendTorsionWB.core.pattern import MODES
+from BendTorsionWB.core.patterns.flattened_surface import SURFACES
+from BendTorsionWB.core.patterns.flattening_errors import worst_errors
+from BendTorsionWB.core.patterns.gross import SPLICES, Allowances, as_cut
+from BendTorsionWB.core.patterns.laid_flat import MARKING_FACES, PatternInput
+from BendTorsionWB.core.patterns.pattern import MODES
+from BendTorsionWB.core.welds.bevels import CONTOURS
 from BendTorsionWB.objects import colours
 from BendTorsionWB.objects import plate_set as plates_object
 from BendTorsionWB.objects.proxy import Property, Proxy, linked

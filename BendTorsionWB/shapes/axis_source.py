@@ -7,9 +7,9 @@ import FreeCAD  # noqa: F401  Part crashes the interpreter when it is loaded bef
 import numpy as np
 import Part
 
-from ..core.curve import Curve
-from ..core.curve_edit import polyline_vertices
 from ..core.finding import BendTorsionError, error
+from ..core.geometry.curve import Curve
+from ..core.geometry.curve_edit import polyline_vertices
 from . import from_part
 
 USES = ("automatic", "curve", "points")

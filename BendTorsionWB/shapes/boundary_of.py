@@ -7,7 +7,8 @@ import FreeCAD  # noqa: F401  (Part needs it loaded first)
 import numpy as np
 import Part
 
-from BendTorsionWB.core.boundary import (
+from BendTorsionWB.core.finding import BendTorsionError, error
+from BendTorsionWB.core.solids.boundary import (
     Boundary,
     Circle,
     Cylinder,
@@ -18,7 +19,6 @@ from BendTorsionWB.core.boundary import (
     Spline,
     SplineSurface,
 )
-from BendTorsionWB.core.finding import BendTorsionError, error
 
 
 def boundary_of(solid: Part.Solid, name: str) -> Boundary:

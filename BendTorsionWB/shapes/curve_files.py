@@ -9,7 +9,7 @@ from pathlib import Path
 import FreeCAD  # noqa: F401  Part crashes the interpreter when it is loaded before FreeCAD
 import Part
 
-from ..core.axis_source import AxisSource
+from ..core.axes.axis_source import AxisSource
 from ..core.finding import BendTorsionError, error
 from .from_part import curve_from_part
 from .surface_files import shape_from_file

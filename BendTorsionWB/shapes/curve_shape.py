@@ -9,7 +9,7 @@ import FreeCAD
 import numpy as np
 import Part
 
-from BendTorsionWB.core.curve import Curve
+from BendTorsionWB.core.geometry.curve import Curve
 
 
 def edge(curve: Curve) -> Part.Edge:

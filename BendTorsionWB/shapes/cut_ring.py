@@ -15,8 +15,8 @@ import numpy as np
 from scipy.interpolate import BSpline
 
 from BendTorsionWB.core.finding import BendTorsionError, error
-from BendTorsionWB.core.member import EndSurface
-from BendTorsionWB.core.skin import SkinPiece, values_and_rates
+from BendTorsionWB.core.members.member import EndSurface
+from BendTorsionWB.core.members.skin import SkinPiece, values_and_rates
 from BendTorsionWB.shapes import brep
 
 COUNTS = (9, 17, 33, 65)

@@ -10,12 +10,12 @@ import FreeCAD
 import numpy as np
 import Part
 
-from BendTorsionWB.core.contour import FIBRES, EndCurves, bracketed_roots
 from BendTorsionWB.core.detailing import MemberGeometry, PlateGeometry, member_skins
-from BendTorsionWB.core.end_cut import PlaneEnd
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error
-from BendTorsionWB.core.member import EndSurface
-from BendTorsionWB.core.plates import Plate
+from BendTorsionWB.core.members.contour import FIBRES, EndCurves, bracketed_roots
+from BendTorsionWB.core.members.end_cut import PlaneEnd
+from BendTorsionWB.core.members.member import EndSurface
+from BendTorsionWB.core.plates.plates import Plate
 from BendTorsionWB.shapes.cut_ring import CutRing, cut_ring
 from BendTorsionWB.shapes.kept_solids import solids_of
 

@@ -10,8 +10,8 @@ import numpy as np
 import Part
 
 from BendTorsionWB.core.finding import Finding, error
-from BendTorsionWB.core.flat_plate import FlatPlate
-from BendTorsionWB.core.plate_places import PlateOpening
+from BendTorsionWB.core.plates.flat_plate import FlatPlate
+from BendTorsionWB.core.plates.plate_places import PlateOpening
 
 VOLUME_RELATIVE = 1e-4
 """Largest relative difference between the steel cut away and the opening's own volume."""

@@ -7,8 +7,8 @@ import FreeCAD
 import numpy as np
 import Part
 
-from BendTorsionWB.core.axis import Axis
-from BendTorsionWB.core.frames import Frames
+from BendTorsionWB.core.axes.axis import Axis
+from BendTorsionWB.core.axes.frames import Frames
 
 STATIONS = 101
 LONGEST_TOOTH = 0.08

@@ -10,13 +10,13 @@ import FreeCAD  # noqa: F401  Part crashes the interpreter when it is loaded bef
 import numpy as np
 import Part
 
-from ..core.curve import Curve
-from ..core.curve_edit import joined, turned
 from ..core.finding import BendTorsionError, error
-from ..core.nurbs import NurbsPatch
-from ..core.patch_split import smooth_patches
-from ..core.patch_trim import Trim
-from ..core.patches import CREASE, PatchSurface
+from ..core.geometry.curve import Curve
+from ..core.geometry.curve_edit import joined, turned
+from ..core.geometry.nurbs import NurbsPatch
+from ..core.geometry.patch_split import smooth_patches
+from ..core.geometry.patch_trim import Trim
+from ..core.geometry.patches import CREASE, PatchSurface
 
 # Ends of edges that meet in a chain, mm.
 CHAIN_GAP = 1e-3

@@ -9,8 +9,8 @@ from collections.abc import Sequence
 import numpy as np
 import Part
 
+from BendTorsionWB.core.members.skin import SkinPiece
 from BendTorsionWB.core.memo import Kept
-from BendTorsionWB.core.skin import SkinPiece
 from BendTorsionWB.shapes import brep
 
 _kept = Kept()

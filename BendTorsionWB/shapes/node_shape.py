@@ -7,10 +7,10 @@ import FreeCAD
 import numpy as np
 import Part
 
-from BendTorsionWB.core.member import Member
-from BendTorsionWB.core.node_branch import Branch
-from BendTorsionWB.core.node_cut import landings
-from BendTorsionWB.core.piecewise import Piecewise
+from BendTorsionWB.core.geometry.piecewise import Piecewise
+from BendTorsionWB.core.members.member import Member
+from BendTorsionWB.core.nodes.node_branch import Branch
+from BendTorsionWB.core.nodes.node_cut import landings
 
 _ACROSS = np.linspace(0.0, 1.0, 9)
 

@@ -9,7 +9,7 @@ import FreeCAD
 import numpy as np
 import Part
 
-from ..core.nurbs import NurbsPatch
+from ..core.geometry.nurbs import NurbsPatch
 
 
 def faces_of_patches(patches: Sequence[NurbsPatch]) -> Part.Compound:

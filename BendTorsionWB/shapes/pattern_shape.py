@@ -10,7 +10,7 @@ import numpy as np
 import Part
 from scipy.interpolate import make_interp_spline
 
-from BendTorsionWB.core.curve import Curve
+from BendTorsionWB.core.geometry.curve import Curve
 from BendTorsionWB.core.lofting import DevelopedPlate
 from BendTorsionWB.shapes.curve_shape import edge
 

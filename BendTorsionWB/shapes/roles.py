@@ -24,7 +24,7 @@ from dataclasses import dataclass
 import numpy as np
 import Part
 
-from BendTorsionWB.core.flat_plate import FlatPlate
+from BendTorsionWB.core.plates.flat_plate import FlatPlate
 from BendTorsionWB.shapes import brep
 
 ON_FACE = 0.2

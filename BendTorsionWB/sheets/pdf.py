@@ -10,8 +10,7 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from ..core.finding import BendTorsionError, error
-from ..core.sheet import (
+from ..core.drawings.sheet import (
     CAP_HEIGHT,
     CJK_FAMILIES,
     FONT_FAMILY,
@@ -20,6 +19,7 @@ from ..core.sheet import (
     Sheet,
     Text,
 )
+from ..core.finding import BendTorsionError, error
 
 RESOLUTION = 1200  # dots per inch; page coordinates are mapped to these dots
 DOTS_PER_MM = RESOLUTION / 25.4

@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 
 from ..core.colour_scale import hex_text, strain_text
-from ..core.sheet import FONT_FAMILY
-from ..core.strain_map import StrainMap
+from ..core.drawings.sheet import FONT_FAMILY
+from ..core.patterns.strain_map import StrainMap
 from .pdf import start_qt
 from .svg import write_picture
 

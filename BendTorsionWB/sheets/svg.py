@@ -9,7 +9,15 @@ from collections.abc import Iterable
 from pathlib import Path
 from xml.sax.saxutils import escape
 
-from ..core.sheet import CAP_HEIGHT, CJK_FAMILIES, FONT_FAMILY, LINE_STYLES, Polyline, Sheet, Text
+from ..core.drawings.sheet import (
+    CAP_HEIGHT,
+    CJK_FAMILIES,
+    FONT_FAMILY,
+    LINE_STYLES,
+    Polyline,
+    Sheet,
+    Text,
+)
 
 GROUP = 8
 

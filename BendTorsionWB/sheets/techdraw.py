@@ -12,9 +12,9 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.sheet import FONT_FAMILY, LINE_STYLES, Sheet
-from ..core.sheet_page import SIGNED_CELLS
-from ..core.sheet_style import FORMATS, TITLE_WIDTH, PageFormat
+from ..core.drawings.sheet import FONT_FAMILY, LINE_STYLES, Sheet
+from ..core.drawings.sheet_page import SIGNED_CELLS
+from ..core.drawings.sheet_style import FORMATS, TITLE_WIDTH, PageFormat
 from .svg import svg_document
 
 TEMPLATES = Path(__file__).resolve().parents[2] / "resources" / "templates" / "techdraw"

@@ -9,7 +9,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent.parent))
 
-from BendTorsionWB.core.sheet_style import FORMATS  # noqa: E402
+from BendTorsionWB.core.drawings.sheet_style import FORMATS  # noqa: E402
 from BendTorsionWB.sheets.techdraw import template_svg  # noqa: E402
 
 

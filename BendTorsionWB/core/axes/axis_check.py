@@ -1,0 +1,386 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is wrong with the points or the curve an axis is to be made from."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from .. import tolerances
+from ..finding import BendTorsionError, Finding, error, note, warning
+from ..geometry.curve import Curve
+from ..geometry.curve_edit import kinks
+from ..geometry.piecewise import Piecewise
+from ..geometry.surface import Surface
+
+UNITS = {"metres": 1000.0, "centimetres": 10.0, "inches": 25.4, "feet": 304.8}
+SMALLEST_AXIS = 200.0
+"""mm: an axis that is smaller as a whole is most likely given in another unit."""
+LARGEST_AXIS = 5e6
+"""mm: an axis that is larger as a whole is most likely given in another unit."""
+FAR_FROM_SURFACE = 1000.0
+FAR_FROM_SURFACE_RELATIVE = 0.02
+"""A point farther from the surface than the larger of 1 m and 2 % of the axis's size was meant
+for another surface."""
+WIDE_GAP = 20.0
+"""A gap this many times the median gap is where points may be missing."""
+CROSSES_ITSELF = 1.0
+"""mm: parts of an axis that come this near to each other cross."""
+KINK = np.radians(0.1)
+"""Tangents that differ by more at a joint of an exact curve make a kink no plate can follow."""
+SLIGHT_KINK = np.radians(0.01)
+_ENDS_MEET = 1.0
+
+
+def checked_points(
+    name: str, given: np.ndarray, numbers: np.ndarray, closed: bool
+) -> list[Finding]:
+    """Findings for points (k, 3); raises BendTorsionError when no axis can run through them."""
+    finite = np.isfinite(given).all(axis=1)
+    if not finite.all():
+        raise BendTorsionError(
+            error(
+                "axis-point-not-a-number",
+                name,
+                "coordinate is not a finite number",
+                "give x, y and z in mm",
+                position=f"point {numbers[int(np.argmin(finite))]}",
+            )
+        )
+    least = 3 if closed else 2
+    gaps = np.linalg.norm(np.diff(given, axis=0), axis=1)
+    ends_meet = len(given) > least and (
+        np.linalg.norm(given[-1] - given[0]) <= tolerances.POINTS_COINCIDE
+    )
+    distinct = len(given) - bool(closed and ends_meet)
+    if distinct < least:
+        raise BendTorsionError(
+            error(
+                "axis-too-few-points",
+                name,
+                f"{'a closed' if closed else 'an'} axis needs at least {least} points",
+                "add points",
+                value=len(given),
+                limit=least,
+            )
+        )
+    if (gaps < tolerances.POINTS_COINCIDE).any():
+        index = int(np.argmin(gaps))
+        raise BendTorsionError(
+            error(
+                "axis-points-coincide",
+                name,
+                f"points {numbers[index]} and {numbers[index + 1]} coincide",
+                "delete one of them",
+                position=f"point {numbers[index + 1]}",
+                value=float(gaps[index]),
+                limit=tolerances.POINTS_COINCIDE,
+                unit="mm",
+            )
+        )
+    findings = checked_size(name, given)
+    if ends_meet and not closed:
+        findings.append(
+            warning(
+                "axis-ends-meet",
+                name,
+                "the first and the last point are one",
+                "set closed = yes for a ring",
+                position=f"point {numbers[-1]}",
+            )
+        )
+    median = float(np.median(gaps))
+    for index in np.flatnonzero(gaps > WIDE_GAP * median) if len(gaps) > 2 else ():
+        findings.append(
+            warning(
+                "axis-gap",
+                name,
+                "the gap to the next point is far wider than the others; points may be missing",
+                "add the missing points, or ignore this when the gap is meant",
+                position=f"point {numbers[index]}",
+                value=float(gaps[index]),
+                limit=WIDE_GAP * median,
+                unit="mm",
+            )
+        )
+    return findings
+
+
+def checked_size(name: str, points: np.ndarray) -> list[Finding]:
+    """A warning for a size no axis of a building has in mm, naming the likely unit."""
+    size = float(np.ptp(points, axis=0).max())
+    if SMALLEST_AXIS <= size <= LARGEST_AXIS:
+        return []
+    small = size < SMALLEST_AXIS
+    return [
+        warning(
+            "axis-size",
+            name,
+            f"the whole axis measures {size:.6g} mm; "
+            + (
+                "the coordinates are likely in metres"
+                if small
+                else "the coordinates are likely in micrometres, or hold a slip"
+            ),
+            "give coordinates in mm" + (": multiply by 1000" if small else ""),
+            value=size,
+            limit=SMALLEST_AXIS if small else LARGEST_AXIS,
+            unit="mm",
+        )
+    ]
+
+
+def checked_feet(
+    name: str,
+    given: np.ndarray,
+    numbers: np.ndarray,
+    surface: Surface | None,
+    fit: str,
+    offset: float,
+) -> list[Finding]:
+    """Findings for points against their surface; raises BendTorsionError when they are so far
+    away (fit pull or offset) that another surface or unit was meant."""
+    if surface is None:
+        return []
+    foot = surface.closest(given)
+    size = float(np.ptp(given, axis=0).max())
+    limit = max(FAR_FROM_SURFACE, FAR_FROM_SURFACE_RELATIVE * size)
+    away = np.minimum(np.abs(foot.distance - offset), np.abs(foot.distance))
+    beyond = np.linalg.norm(given - foot.points, axis=1)
+    away = np.where(foot.outside, np.maximum(away, beyond), away)
+    findings = []
+    worst = int(np.argmax(away))
+    if away[worst] > limit:
+        unit = likely_unit(given, surface)
+        far = error if fit != "keep" else warning
+        finding = far(
+            "axis-far-from-surface",
+            name,
+            "the axis is far from its surface"
+            + (f"; the coordinates are likely in {unit}" if unit else ""),
+            f"give coordinates in mm: multiply by {UNITS[unit]:g}"
+            if unit
+            else "choose the surface the axis lies on, or check the coordinates",
+            position=f"point {numbers[worst]}",
+            value=float(away[worst]),
+            limit=limit,
+            unit="mm",
+        )
+        if finding.severity == "error":
+            raise BendTorsionError(finding)
+        findings.append(finding)
+    for index in np.flatnonzero(foot.outside & (away <= limit)):
+        findings.append(
+            warning(
+                "axis-past-border",
+                name,
+                "given point lies past the border of the surface",
+                "extend the surface or shorten the axis",
+                position=f"point {numbers[index]}",
+                value=float(beyond[index]),
+                unit="mm",
+            )
+        )
+    for index in np.flatnonzero(foot.ambiguous):
+        findings.append(
+            warning(
+                "axis-foot-ambiguous",
+                name,
+                "given point has no single nearest point and normal on the surface",
+                "move the point towards the surface, off its creases",
+                position=f"point {numbers[index]}",
+            )
+        )
+    return findings
+
+
+def moved_findings(
+    name: str, given: np.ndarray, numbers: np.ndarray, moved: np.ndarray, tolerance: float
+) -> list[Finding]:
+    """A warning for every point pulled by more than 1 mm; one note for the others pulled by more
+    than `tolerance`, saying when they were rounded to whole mm."""
+    findings = [
+        warning(
+            "axis-point-moved",
+            name,
+            "given point lies off the surface and was pulled onto it",
+            "check the point, or use fit = keep",
+            position=f"point {numbers[index]}",
+            value=float(moved[index]),
+            limit=tolerances.POINT_MOVED_WARNING,
+            unit="mm",
+        )
+        for index in np.flatnonzero(moved > tolerances.POINT_MOVED_WARNING)
+    ]
+    small = (moved > tolerance) & (moved <= tolerances.POINT_MOVED_WARNING)
+    if small.any():
+        rounded = bool((given == np.round(given)).all())
+        findings.append(
+            note(
+                "axis-points-pulled",
+                name,
+                f"{int(small.sum())} of {len(given)} given points lie off the surface by less "
+                f"than 1 mm and were pulled onto it"
+                + ("; the coordinates are rounded to 1 mm" if rounded else ""),
+                "give more decimals" if rounded else "",
+                value=float(moved[small].max()),
+                limit=tolerance,
+                unit="mm",
+            )
+        )
+    return findings
+
+
+def likely_unit(points: np.ndarray, surface: Surface) -> str | None:
+    """The unit in which the points would lie on the surface, None when in none."""
+    best = None
+    for unit, factor in UNITS.items():
+        scaled = factor * points
+        away = np.linalg.norm(surface.closest(scaled).points - scaled, axis=1).max()
+        size = np.ptp(scaled, axis=0).max()
+        if away < 0.01 * size and (best is None or away / size < best[1]):
+            best = unit, away / size
+    return best[0] if best else None
+
+
+def checked_curve(name: str, curve: Curve, surface: Surface | None) -> tuple[bool, list[Finding]]:
+    """Whether an exact curve closes smoothly, and findings; raises BendTorsionError at kinks."""
+    findings, errors = [], []
+    at, angle = kinks(curve)
+    points = curve.evaluate(at)[0] if len(at) else np.zeros((0, 3))
+    for point, turn in zip(points, angle, strict=True):
+        if turn > SLIGHT_KINK:
+            sharp = turn > KINK
+            (errors if sharp else findings).append(
+                (error if sharp else warning)(
+                    "axis-kink",
+                    name,
+                    "the curve has a kink, which no member can follow",
+                    "round it, split the curve there, or use its vertices as points",
+                    position=place(point),
+                    value=float(np.degrees(turn)),
+                    limit=float(np.degrees(KINK if sharp else SLIGHT_KINK)),
+                    unit="°",
+                )
+            )
+    if errors:
+        raise BendTorsionError(errors)
+    first, last = curve.domain
+    ends, rates = curve.evaluate(np.array([first, last]), 1)
+    rates = rates / np.linalg.norm(rates, axis=1, keepdims=True)
+    closed = False
+    if np.linalg.norm(ends[1] - ends[0]) <= tolerances.POINTS_COINCIDE:
+        turn = float(np.arccos(np.clip(rates[0] @ rates[1], -1.0, 1.0)))
+        closed = turn <= KINK
+        if not closed:
+            findings.append(
+                warning(
+                    "axis-ends-meet",
+                    name,
+                    "the curve's ends meet with a kink: taken as open",
+                    "round the corner for a ring",
+                    position=place(ends[0]),
+                    value=float(np.degrees(turn)),
+                    limit=float(np.degrees(KINK)),
+                    unit="°",
+                )
+            )
+    samples = curve.evaluate(np.linspace(first, last, 201))[0]
+    findings += checked_size(name, samples)
+    if surface is not None:
+        distance = np.abs(surface.closest(samples).distance)
+        limit = max(FAR_FROM_SURFACE, FAR_FROM_SURFACE_RELATIVE * np.ptp(samples, axis=0).max())
+        worst = int(np.argmax(distance))
+        far = distance[worst] > limit
+        if distance[worst] > tolerances.POINT_MOVED_WARNING:
+            findings.append(
+                warning(
+                    "axis-far-from-surface",
+                    name,
+                    f"the curve {'is far from' if far else 'leaves'} its surface",
+                    "choose the surface the axis lies on",
+                    position=place(samples[worst]),
+                    value=float(distance[worst]),
+                    limit=float(limit if far else tolerances.POINT_MOVED_WARNING),
+                    unit="mm",
+                )
+            )
+    return closed, findings
+
+
+def checked_shape(name: str, position: Piecewise, closed: bool) -> list[Finding]:
+    """Raises BendTorsionError where the axis crosses itself; a note where its ends nearly meet."""
+    crossing = self_approach(position, closed)
+    if crossing is None:
+        return []
+    first, second, distance = crossing
+    at = position(np.array([first]))[0]
+    if not closed and first < _ENDS_MEET and second > position.end - _ENDS_MEET:
+        return [
+            note(
+                "axis-ends-meet",
+                name,
+                "start and end of the axis meet",
+                "set closed = yes for a ring",
+                position=place(at),
+                value=distance,
+                unit="mm",
+            )
+        ]
+    raise BendTorsionError(
+        error(
+            "axis-crosses-itself",
+            name,
+            f"the axis crosses itself: s = {first:.0f} mm and s = {second:.0f} mm are one place",
+            "check the order of the points",
+            position=place(at),
+            value=distance,
+            limit=CROSSES_ITSELF,
+            unit="mm",
+        )
+    )
+
+
+def self_approach(position: Piecewise, closed: bool) -> tuple[float, float, float] | None:
+    """Two arc lengths and their distance where parts of the axis that are not neighbours come
+    nearer than CROSSES_ITSELF, None where they do not."""
+    count = int(np.clip(8 * len(position.breaks), 200, 800))
+    s = np.linspace(0.0, position.end, count)
+    points = position(s)
+    step = position.end / (count - 1)
+    pairs = cKDTree(points).query_pairs(1.5 * step, output_type="ndarray")
+    apart = s[pairs[:, 1]] - s[pairs[:, 0]]
+    if closed:
+        apart = np.minimum(apart, position.end - apart)
+    pairs = pairs[apart > 5 * step]
+    if not len(pairs):
+        return None
+    first, second = s[pairs[:, 0]], s[pairs[:, 1]]
+    tangent = position.derivative
+    for _ in range(20):
+        gap = position(second) - position(first)
+        a, b = tangent(first), tangent(second)
+        dot = (a * b).sum(axis=1)
+        # Beside parallel parts the damping keeps the step along them small.
+        below = 1.0 - dot**2 + 1e-6
+        along, back = (gap * a).sum(axis=1), (gap * b).sum(axis=1)
+        first = np.clip(
+            first + np.clip((along - dot * back) / below, -step, step), 0.0, position.end
+        )
+        second = np.clip(
+            second + np.clip((dot * along - back) / below, -step, step), 0.0, position.end
+        )
+    distance = np.linalg.norm(position(second) - position(first), axis=1)
+    apart = second - first
+    if closed:
+        apart = np.minimum(apart, position.end - apart)
+    distance[apart < 2 * step] = np.inf
+    best = int(np.argmin(distance))
+    if distance[best] > CROSSES_ITSELF:
+        return None
+    return float(first[best]), float(second[best]), float(distance[best])
+
+
+def place(point: np.ndarray) -> str:
+    """A point in space for a finding."""
+    return "at x, y, z = " + ", ".join(f"{value:.0f}" for value in point) + " mm"

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a file holds for an axis: an exact curve, loose segments, or bare points."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..finding import BendTorsionError, Finding, error
+from ..geometry.curve import Curve
+from .axis_input import AxisInput
+from .axis_order import chain_curves
+
+
+@dataclass(frozen=True, eq=False)
+class AxisSource:
+    """One named thing of a file, in mm: curve, or segments ((m, 3), …), or points (k, 3) in no
+    order. findings: what was found while it was read."""
+
+    name: str
+    curve: Curve | None = None
+    segments: tuple[np.ndarray, ...] | None = None
+    points: np.ndarray | None = None
+    findings: tuple[Finding, ...] = ()
+
+    def into(self, given: AxisInput) -> AxisInput:
+        """The axis input with this source in place of its own."""
+        return replace(
+            given,
+            curve=self.curve,
+            segments=self.segments,
+            points=self.points,
+            rule=None,
+            order="given" if self.points is None else "nearest",
+        )
+
+
+def axis_source(
+    name: str,
+    curves: tuple[Curve, ...],
+    polylines: tuple[np.ndarray, ...],
+    points: np.ndarray,
+    findings: tuple[Finding, ...] = (),
+) -> AxisSource:
+    """One source from everything that bears one name: exact curves, joined (with polylines as
+    exact legs between them); or else polylines as segments; or else bare points.
+
+    Raises BendTorsionError for nothing, and for curves that do not form one chain.
+    """
+    if curves:
+        legs = tuple(_leg(a, b) for line in polylines for a, b in zip(line[:-1], line[1:]))
+        curve, found = chain_curves(name, (*curves, *legs))
+        return AxisSource(name, curve=curve, findings=(*findings, *found))
+    if polylines:
+        return AxisSource(name, segments=tuple(polylines), findings=findings)
+    if len(points):
+        return AxisSource(name, points=np.asarray(points, float), findings=findings)
+    raise BendTorsionError(
+        error(
+            "axis-source-empty",
+            name,
+            "no curve, line or point bears this name",
+            "name a layer or object that holds the axis",
+        )
+    )
+
+
+def found_source(name: str, sources: dict[str, AxisSource], file: str) -> AxisSource:
+    """The source of that name, whatever its case; the only one when the name is empty. Raises
+    BendTorsionError naming what there is."""
+    if not name and len(sources) == 1:
+        return next(iter(sources.values()))
+    exact = sources.get(name)
+    alike = [source for key, source in sources.items() if key.lower() == name.lower()]
+    if exact is not None or len(alike) == 1:
+        return exact or alike[0]
+    known = ", ".join(list(sources)[:12]) or "none"
+    raise BendTorsionError(
+        error(
+            "axis-source-name",
+            file,
+            f"no curve named {name!r} in the file",
+            f"use {known}",
+            position=name,
+        )
+    )
+
+
+def _leg(start: np.ndarray, end: np.ndarray) -> Curve:
+    length = float(np.linalg.norm(end - start))
+    return Curve(1, np.array([0.0, 0.0, length, length]), np.array([start, end]))

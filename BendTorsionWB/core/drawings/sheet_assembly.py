@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The assembly drawing of a member or delivery piece: its views, its plates, its figures."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ..finding import Finding
+from ..lofting import MemberRecord
+from .sheet import Table, Text, wrapped
+from .sheet_overview import overview
+from .sheet_page import TEXT, Page, with_unit
+from .sheet_style import SheetStyle, fixed
+from .sheet_tables import ROW_HEIGHT, Listing, listing_pages, piece_table, widths_of, zone_table
+
+GAP = 5.0
+DEGREES = 57.29577951308232
+
+
+def assembly_pages(record: MemberRecord, name: str, heading: str, style: SheetStyle) -> list[Page]:
+    """The page of the views with figures and plates; what of the list of plates finds no room
+    follows on pages of its own."""
+    form, say = style.page, style.say
+    listing = plate_listing(record, style)
+    figures, notes, right_top = _figures(record, style)
+    if form.is_small:
+        more = Page(say("figures"), texts=tuple(notes), tables=figures)
+        plates = listing_pages(say("plate list"), listing, style)
+        return [_with_views(Page(heading), record, form.clear_bottom, style, name), more, *plates]
+    rows, widths = listing.rows, listing.widths
+    room = form.title_block[0] - form.left
+    columns = int(room // (sum(widths) + GAP))
+    most = int(0.4 * (form.top - form.bottom) / ROW_HEIGHT)
+    height = min(-(-len(rows) // columns), most) if columns else 0
+    tables = tuple(
+        Table(
+            form.left + k * (sum(widths) + GAP),
+            form.bottom + ROW_HEIGHT * (height + 1),
+            *(widths, listing.header, rows[k * height : (k + 1) * height]),
+            *(listing.align, ROW_HEIGHT, TEXT),
+        )
+        for k in range(columns)
+        if rows[k * height : (k + 1) * height]
+    )
+    left_top = form.bottom + (ROW_HEIGHT * (height + 1) + 2.0 if tables else 0.0)
+    texts = []
+    if tables:
+        lines = wrapped(listing.title, 2.5, room - 4.0)
+        texts = [
+            Text(form.left, left_top + 4.0 * (len(lines) - 1 - k), 2.5, line)
+            for k, line in enumerate(lines)
+        ]
+        left_top += 4.0 * len(lines)
+    bottom = max(left_top + 2.0, right_top + 2.0)
+    page = Page(heading, texts=(*texts, *notes), tables=(*tables, *figures))
+    rest = replace(listing, rows=rows[columns * height :])
+    page = _with_views(page, record, bottom, style, name)
+    return [page, *listing_pages(say("plate list"), rest, style)]
+
+
+def _with_views(
+    page: Page, record: MemberRecord, bottom: float, style: SheetStyle, name: str
+) -> Page:
+    if not record.wireframe:
+        return page
+    form = style.page
+    drawn = overview(record, (form.left, bottom, form.right, form.top), style, name)
+    return replace(
+        page,
+        marks=tuple(plate.mark for plate in record.plates),
+        scale=f"1:{drawn.scale}",
+        views=drawn.views,
+        lines=drawn.lines,
+        texts=(*page.texts, *drawn.texts),
+    )
+
+
+def plate_listing(record: MemberRecord, style: SheetStyle) -> Listing:
+    """The plates with size, mass, quantity, and what laying them flat costs."""
+    say = style.say
+    header = style.said(("mark", "t", "length", "width", "mass, kg", "max error", "strain, %"))
+    rows = tuple(
+        (
+            plate.mark,
+            f"{plate.thickness:g}",
+            style.length(plate.length),
+            style.length(plate.width),
+            fixed(plate.mass, 1),
+            fixed(plate.length_error_max, 4),
+            fixed(100.0 * plate.strain_max, 4),
+        )
+        for plate in record.plates
+    )
+    title = say("Plates (length error of edges, lines and diagonals, mm; net mass)")
+    return Listing(title, header, rows, "<" + ">" * 6)
+
+
+def _figures(
+    record: MemberRecord, style: SheetStyle
+) -> tuple[tuple[Table, ...], list[Text], float]:
+    """Figures, pieces, zones and warnings above the title block, and the height they reach."""
+    say, form = style.say, style.page
+    rows = [
+        (
+            say("length on the axis"),
+            style.with_unit(record.length, 0),
+            say("axis to surface, rms"),
+            with_unit(record.axis_to_surface_rms, 4, "mm"),
+        ),
+        (
+            say("net mass"),
+            with_unit(record.mass, 1, "kg"),
+            say("axis to surface, max"),
+            with_unit(record.axis_to_surface_max, 4, "mm"),
+        ),
+        (
+            say("plates"),
+            str(len(record.plates)),
+            say("torsion error, max"),
+            with_unit(record.torsion_error_max, 5, "°", DEGREES),
+        ),
+        (
+            say("section type"),
+            record.section_type,
+            say("total torsion"),
+            with_unit(record.total_torsion, 2, "°", DEGREES),
+        ),
+    ]
+    if record.centre_of_gravity is not None:
+        centre = np.asarray(record.centre_of_gravity, float)
+        digits = 3 if style.site.unit == "m" else 0
+        rows.append(
+            (
+                say("CG in the model, mm"),
+                _triple(centre, 0),
+                say("CG on the site, {}", style.site.unit),
+                _triple(style.site.of(centre), digits),
+            )
+        )
+    x, width = form.title_block[0] + 2.0, form.title_block[2] - form.title_block[0] - 4.0
+    y = form.clear_bottom
+    texts = []
+    warnings = [f for f in record.findings if f.severity == "warning"]
+    lines = _warning_lines(warnings, width, 14, style)
+    for line in reversed(lines):
+        texts.append(Text(x, y, TEXT, line))
+        y += 3.3
+    if lines:
+        texts.append(Text(x, y + 0.6, 2.5, say("Warnings ({})", len(warnings))))
+        y += 6.0
+    more = []
+    for table_of in (piece_table, zone_table):
+        table = table_of(record, x, y, style)
+        if table is not None:
+            y += table.height + 2.0
+            more.append(table)
+    header = (say("member"), record.member, say("figure"), say("value"))
+    widths = widths_of(header, rows)
+    spare = max(0.0, width - sum(widths))
+    widths = tuple(w + spare / 4.0 for w in widths)
+    table = Table(
+        x, y + ROW_HEIGHT * (len(rows) + 1), widths, header, tuple(rows), "<><>", ROW_HEIGHT, TEXT
+    )
+    return (table, *reversed(more)), texts, y + table.height
+
+
+def _triple(point: np.ndarray, digits: int) -> str:
+    return ", ".join(fixed(float(value), digits) for value in point)
+
+
+def _warning_lines(
+    warnings: Sequence[Finding], width: float, most: int, style: SheetStyle
+) -> list[str]:
+    """Warnings wrapped to at most `most` lines; the last says how many are left out."""
+    lines: list[str] = []
+    for done, finding in enumerate(warnings):
+        text = finding.line().removeprefix("warning: ")
+        new = wrapped(text, TEXT, width)
+        room = most if done == len(warnings) - 1 else most - 1
+        if len(lines) + len(new) > room:
+            more = style.say("and {} more: see the Checks of results.xlsx", len(warnings) - done)
+            return [*lines, more]
+        lines += new
+    return lines

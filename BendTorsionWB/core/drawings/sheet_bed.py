@@ -1,0 +1,285 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The plan of an assembly bed: the piece from above and from the side, saddles, table of seats."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..beds.bed_record import Bed
+from .sheet import Polyline, Table, Text, View, wrapped
+from .sheet_labels import as_points
+from .sheet_overview import DRAWN_TOLERANCE, SCALES
+from .sheet_page import TEXT, Page
+from .sheet_pattern import simplified
+from .sheet_style import PLAIN_STYLE, SheetStyle, fixed
+from .sheet_tables import ROW_HEIGHT, widths_of
+
+MOST_ROWS = 22
+"""Rows of the table of seats on the page of the plan."""
+LABEL = 2.5
+POST_OVERHANG = 80.0
+"""mm; how far a saddle's bar is drawn beyond its seats."""
+HEADING, LABEL_ROOM, FIGURE_ROOM, GAP = 7.0, 9.0, 15.0, 4.0
+CLOSEST = 9.0
+"""mm on paper between saddles below which their labels take turns in two rows."""
+
+SEATS_HEADER = (
+    "saddle", "s", "left x", "left y", "left height", "right x", "right y", "right height",
+    "slope, °", "stop", "stop x", "stop y", "stop height",
+)  # fmt: skip
+POINTS_HEADER = ("line", "corner", "s", "x", "y", "z", "bed x", "bed y", "bed z")
+PINS_HEADER = ("column", "row", "x", "y", "height", "tilt, °")
+POINTS_NOTE = (
+    "x, y, z: model coordinates. bed x, y, z: on the bed, floor at 0. Outer corners of the "
+    "section at the member's stations and the piece's ends, mm."
+)
+PINS_NOTE = "x, y: on the bed. height: above the base of the pins. tilt: of the face there."
+
+
+def seat_rows(bed: Bed, style: SheetStyle = PLAIN_STYLE) -> list[tuple[str, ...]]:
+    """The table of seats: places on the bed, heights above the floor, 0.1 mm."""
+    return [
+        (
+            one.label,
+            fixed(one.s, 1),
+            *(fixed(value, 1) for value in one.left.place),
+            *(fixed(value, 1) for value in one.right.place),
+            fixed(np.degrees(one.slope), 2),
+            style.say(one.stop_side),
+            *(fixed(value, 1) for value in one.stop),
+        )
+        for one in bed.saddles
+    ]
+
+
+def point_rows(bed: Bed) -> list[tuple[str, ...]]:
+    """The table of control points."""
+    return [
+        (p.line, p.corner, *(fixed(value, 1) for value in (p.s, *p.xyz, *p.bed)))
+        for p in bed.points
+    ]
+
+
+def pin_rows(bed: Bed) -> list[tuple[str, ...]]:
+    """The table of pins."""
+    return [
+        (
+            str(pin.column),
+            str(pin.row),
+            *(fixed(value, 1) for value in (pin.x, pin.y, pin.height)),
+            fixed(np.degrees(pin.tilt), 2),
+        )
+        for pin in bed.pins
+    ]
+
+
+def seats_shown(style: SheetStyle) -> int:
+    """How many rows of the table of seats stand on the page of the plan."""
+    return 0 if style.page.is_small else MOST_ROWS
+
+
+def bed_page(bed: Bed, style: SheetStyle = PLAIN_STYLE) -> Page:
+    """Plan and elevation of a piece on its bed with the first rows of its table of seats."""
+    form, say = style.page, style.say
+    rows = seat_rows(bed, style)[: seats_shown(style)]
+    header = style.said(SEATS_HEADER)
+    frame = _frame_table(bed, style)
+    words = _words(bed, style)
+    tables, texts = [frame], []
+    y = form.clear_bottom
+    if rows:
+        widths = widths_of(header, rows)
+        height = ROW_HEIGHT * (len(rows) + 1)
+        # The table of seats may be wider than the room beside the title block.
+        clear = form.left + sum(widths) < form.title_block[0] - 2.0
+        foot = form.bottom if clear else form.clear_bottom
+        align = "<" + ">" * 8 + "<" + ">" * 3
+        seats = Table(
+            form.left, foot + height, widths, header, tuple(rows), align, ROW_HEIGHT, TEXT
+        )
+        tables.insert(0, seats)
+        title = say("Seats (mm, on the bed; heights above the floor)")
+        texts.append(Text(form.left, seats.y + 1.2, LABEL, title))
+        y = max(seats.y + 6.0, frame.y + 3.0 if clear else 0.0)
+        if not clear:
+            tables[1] = replace(frame, x=form.left, y=form.bottom + frame.height)
+            left = form.left + sum(frame.widths) + 6.0
+            lines = wrapped(words, TEXT, form.title_block[0] - left - 3.0)
+            top = tables[1].y - 3.0
+            texts += [Text(left, top - 3.3 * k, TEXT, line) for k, line in enumerate(lines)]
+            words = ""
+    else:
+        tables[0] = replace(frame, x=form.left)
+        y = frame.y + 3.0
+    for line in reversed(wrapped(words, TEXT, form.right - form.left)):
+        texts.append(Text(form.left, y, TEXT, line))
+        y += 3.3
+    drawn = _views(bed, y + 2.0, style)
+    return Page(
+        say("bed plan {}", bed.name),
+        (),
+        f"1:{drawn[0]}",
+        drawn[1],
+        drawn[2],
+        (*drawn[3], *texts),
+        tuple(tables),
+    )
+
+
+HOW_BEDDED = {
+    "fit": "best plane of its edges",
+    "middle": "its plane at mid-length",
+    "normal": "plane by given direction",
+}
+
+
+def _words(bed: Bed, style: SheetStyle) -> str:
+    say = style.say
+    words = say(
+        "Face {} lies down; bed by {}, its edges within ±{} mm. Plan seen from above; left is up. "
+        "Bar: saddle with its seats; triangle: side stop at the lower seat. Elevation: heights of "
+        "the left and the right seat above the floor. Templates: {}.",
+        say(bed.face),
+        say(HOW_BEDDED[bed.plane]),
+        fixed(bed.deviation, 1),
+        ", ".join(board.name for board in bed.templates),
+    )
+    if bed.pins:
+        words += " " + say("Pins (crosses): base {} above the floor.", fixed(bed.pin_base, 1))
+    return words
+
+
+def _frame_table(bed: Bed, style: SheetStyle) -> Table:
+    back, say, form = bed.to_model, style.say, style.page
+    rows = (
+        (say("origin"), *(fixed(value, 2) for value in back[:3, 3])),
+        *(
+            (say("{} axis", name), *(fixed(value, 8) for value in back[:3, k]))
+            for k, name in enumerate("xyz")
+        ),
+    )
+    header = (say("bed in the model"), "x", "y", "z")
+    widths = widths_of(header, rows)
+    return Table(
+        form.title_block[0] + 2.0,
+        form.clear_bottom + ROW_HEIGHT * 5,
+        *(widths, header, rows, "<>>>", ROW_HEIGHT, TEXT),
+    )
+
+
+def _views(bed: Bed, bottom: float, style: SheetStyle):
+    """Scale, views, lines and texts of plan and elevation between `bottom` and the page's top."""
+    form = style.page
+    everything = np.concatenate([*bed.lines.values(), bed.face_edges.reshape(-1, 3)])
+    low, high = everything.min(axis=0), everything.max(axis=0)
+    low[2] = min(low[2], 0.0)
+    room = form.top - bottom - 2 * (HEADING + FIGURE_ROOM) - LABEL_ROOM - GAP
+    for scale in SCALES:
+        size = (high - low) / scale
+        if size[0] <= form.right - form.left - 24.0 and size[1] + size[2] <= room:
+            break
+    spare = max(0.0, room - float(size[1] + size[2]))
+    x0 = 0.5 * (form.left + form.right) - 0.5 * float(low[0] + high[0]) / scale
+    # In third angle the plan stands above the elevation as well: what lies flat is seen first.
+    top = form.top - HEADING - LABEL_ROOM - 0.3 * spare
+    plan = (x0, top - float(high[1]) / scale)
+    foot = plan[1] + float(low[1]) / scale
+    top = foot - FIGURE_ROOM - GAP - HEADING - 0.3 * spare
+    side = (x0, top - float(high[2]) / scale)
+    views = (
+        View("Plan", float(scale), plan, _polylines(bed, (0, 1), scale)),
+        View("Elevation", float(scale), side, _polylines(bed, (0, 2), scale)),
+    )
+    head = top + 3.0
+    title = style.say("{} on its bed: plan", bed.name)
+    texts = [
+        Text(form.left, form.top - 4.5, 3.5, f"{title}  1:{scale}"),
+        Text(form.left, head, 3.5, f"{style.say('Elevation')}  1:{scale}"),
+    ]
+    lines: list[Polyline] = []
+    _plan_figures(bed, scale, plan, float(high[1]), foot, lines, texts)
+    _side_figures(bed, scale, side, low, high, lines, texts, style)
+    return scale, views, tuple(lines), tuple(texts)
+
+
+def _polylines(bed: Bed, plane: tuple[int, int], scale: float) -> tuple[Polyline, ...]:
+    lines = [
+        Polyline(as_points(simplified(line[:, plane], DRAWN_TOLERANCE * scale)), "narrow")
+        for line in bed.lines.values()
+    ]
+    lines += [
+        Polyline(as_points(simplified(edge[:, plane], DRAWN_TOLERANCE * scale)), "medium")
+        for edge in bed.face_edges
+    ]
+    names = list(bed.lines)
+    for end in (0, -1):
+        ring = np.array([bed.lines[name][end][list(plane)] for name in [*names, names[0]]])
+        lines.append(Polyline(as_points(ring), "medium"))
+    return tuple(lines)
+
+
+def _plan_figures(bed: Bed, scale, origin, high, foot, lines, texts) -> None:
+    """Saddle bars, stops, pins, labels above and places along x below the plan."""
+    x0, y0 = origin
+    places = [x0 + 0.5 * (o.left.place[0] + o.right.place[0]) / scale for o in bed.saddles]
+    crowded = len(places) > 1 and min(np.diff(places)) < CLOSEST
+    lines.append(Polyline(((x0 - 2.0, y0), (x0 + 2.0, y0))))
+    lines.append(Polyline(((x0, y0 - 2.0), (x0, y0 + 2.0))))
+    for pin in bed.pins:
+        x, y = x0 + pin.x / scale, y0 + pin.y / scale
+        lines.append(Polyline(((x - 0.6, y), (x + 0.6, y))))
+        lines.append(Polyline(((x, y - 0.6), (x, y + 0.6))))
+    for k, one in enumerate(bed.saddles):
+        left, right = (
+            np.array([x0, y0]) + seat.place[:2] / scale for seat in (one.left, one.right)
+        )
+        beyond = (left - right) / np.hypot(*(left - right)) * POST_OVERHANG / scale
+        lines.append(Polyline(as_points(np.array([right - beyond, left + beyond])), "wide"))
+        lines += [_ring(seat, 0.7) for seat in (left, right)]
+        lines.append(_triangle(np.array([x0, y0]) + one.stop[:2] / scale, left - right, one))
+        level = y0 + high / scale + 2.5 + (3.6 if crowded and k % 2 else 0.0)
+        texts.append(Text(float(left[0]), level, LABEL, one.label, anchor="middle"))
+        lines.append(Polyline(((float(left[0]), level - 0.6), as_points((left + beyond)[None])[0])))
+        low = foot - 1.5
+        lines.append(Polyline((as_points((right - beyond)[None])[0], (float(right[0]), low))))
+        place = fixed(one.right.place[0], 0)
+        texts.append(Text(float(right[0]) + 0.7, low - 0.8, TEXT, f"x {place}", 90.0, "end"))
+
+
+def _side_figures(bed: Bed, scale, origin, low, high, lines, texts, style) -> None:
+    """Floor, posts and seat heights of the elevation."""
+    x0, z0 = origin
+    lines.append(
+        Polyline(
+            ((x0 + low[0] / scale - 6.0, z0), (x0 + high[0] / scale + 6.0, z0)),
+            "wide",
+        )
+    )
+    texts.append(Text(x0 + low[0] / scale - 6.0, z0 + 0.8, TEXT, style.say("floor 0")))
+    for one in bed.saddles:
+        places = []
+        for seat, dash in ((one.left, "medium"), (one.right, "dashed")):
+            x, z = x0 + seat.place[0] / scale, z0 + seat.place[2] / scale
+            lines.append(Polyline(((x, z0), (x, z)), dash))
+            places.append(x)
+        # Two figures side by side below the floor, at the middle of their posts.
+        middle = 0.5 * (places[0] + places[1])
+        for shift, seat, name in ((-0.3, one.left, "left"), (2.5, one.right, "right")):
+            text = f"{style.say(name)} {fixed(seat.place[2], 1)}"
+            texts.append(Text(middle + shift, z0 - 1.2, TEXT, text, 90.0, "end"))
+
+
+def _ring(centre, radius: float) -> Polyline:
+    angles = np.linspace(0.0, 2.0 * np.pi, 13)
+    ring = np.stack([np.cos(angles), np.sin(angles)], axis=1) * radius + centre
+    return Polyline(as_points(ring), "medium")
+
+
+def _triangle(tip: np.ndarray, leftwards: np.ndarray, saddle) -> Polyline:
+    """A side stop: a triangle that touches the piece with its tip, from outside."""
+    out = leftwards / np.hypot(*leftwards) * (1.0 if saddle.stop_side == "left" else -1.0)
+    side = np.array([-out[1], out[0]])
+    foot = tip + 2.0 * out
+    return Polyline(as_points(np.array([tip, foot + side, foot - side, tip])), "medium")

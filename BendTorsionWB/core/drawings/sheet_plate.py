@@ -1,0 +1,274 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Plate drawings: each plate's pattern with its points, panels and edges, packed on pages."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..lofting import DevelopedPlate, MemberRecord, PlateEdge
+from ..welds.weld_record import Weld
+from .sheet import Text, wrapped
+from .sheet_overview import SCALES
+from .sheet_pack import GAP, Block, packed, shelf_height
+from .sheet_page import TEXT, Page
+from .sheet_pattern import CAPTION_ROOM, CAPTION_ROW, pattern_block
+from .sheet_style import SheetStyle, fixed
+from .sheet_tables import ROW_HEIGHT, TITLE_ROOM, Listing, table_blocks
+
+STATION_ROOM = 16.0
+"""mm on paper that station lines keep at least, where a choice of scale is left."""
+MORE_PAGES = 1.25
+"""Times the fewest pages any scale needs that a larger scale may cost."""
+LABEL_ROOM = (28.0, 18.0)
+"""mm; what labels and dimensions add to a pattern's width and height, about."""
+LEAST_ROWS = 8
+PATTERN_NOTE = (
+    "Patterns are drawn on the mid-surface as seen from the marking face. u runs right and v up "
+    "from the cross at the lower left corner of each pattern's bounding box. L: station line, "
+    "E: end line, P: point, small cross: witness mark W, F (dashed): fold line with its angle, "
+    "up towards the eye or down, R (chain): roll line of a plate to be rolled, O: opening with "
+    "u, v of its middle. Dimensions are overall."
+)
+POINT_NOTE = (
+    "Points: s: arc length on the axis; x, y, z: model coordinates, 1 mm; u, v: flat pattern, "
+    "0.1 mm; P: on the outer face's corner line; W: on the marking face, inside the edge. Panels: "
+    "flat: before forming; formed: after forming, along the surface; chord: after forming, "
+    "straight between the points P."
+)
+SPRINGBACK = "Springback is left to the shop: radii and angles are of the finished plate."
+
+
+def plate_pages(record: MemberRecord, style: SheetStyle) -> list[Page]:
+    """Flat parts, which have no measuring lines, have pages and a scale of their own."""
+    return [
+        page
+        for heading, plates in (
+            ("flat patterns", [plate for plate in record.plates if plate.lines]),
+            ("flat parts", [plate for plate in record.plates if not plate.lines]),
+        )
+        for page in _drawn_pages(style.say(heading), plates, record, style)
+    ]
+
+
+def _drawn_pages(
+    heading: str, plates: Sequence[DevelopedPlate], record: MemberRecord, style: SheetStyle
+) -> list[Page]:
+    if not plates:
+        return []
+    form, say = style.page, style.say
+    words = " ".join(map(say, (PATTERN_NOTE, POINT_NOTE, SPRINGBACK)))
+    bottom, texts = form.clear_bottom, []
+    lines = wrapped(words, TEXT, form.note_width or form.right - form.left)
+    foot = form.bottom + 1.0 if form.note_width else bottom
+    texts = [
+        Text(form.left, foot + 3.2 * (len(lines) - 1 - k), TEXT, line)
+        for k, line in enumerate(lines)
+    ]
+    bottom = max(bottom, foot + 3.2 * len(lines) + 2.0)
+    area = (form.left, bottom, form.right, form.top)
+    listings = {plate.mark: _listings(plate, record, style) for plate in plates}
+    preps = {plate.mark: edge_preps(plate, record, style) for plate in plates}
+    scale = _scale(plates, listings, area)
+    for scale in (s for s in SCALES if s >= scale):
+        blocks = [pattern_block(plate, scale, style, _short(preps[plate.mark])) for plate in plates]
+        sizes = [block.size for block in blocks]
+        if all(w <= area[2] - area[0] and h <= area[3] - area[1] for w, h in sizes):
+            break
+    groups = [
+        [block, *_tables(block.size, listings[plate.mark], area, say("continued"))]
+        for plate, block in zip(plates, blocks, strict=True)
+    ]
+    return [
+        Page(
+            heading,
+            tuple(dict.fromkeys(block.mark for block in page if block.mark)),
+            f"1:{scale}",
+            tuple(view for block in page for view in block.views),
+            tuple(line for block in page for line in block.lines),
+            (*(text for block in page for text in block.texts), *texts),
+            tuple(table for block in page for table in block.tables),
+        )
+        for page in packed(groups, area)
+    ]
+
+
+def _scale(plates, listings, area) -> int:
+    """The one scale of the member's patterns: the largest that fits every plate and needs few
+    pages, of those at which station lines do not come too close."""
+    width, height = area[2] - area[0], area[3] - area[1]
+    fitting = [
+        scale
+        for scale in SCALES
+        if all(
+            wide <= width and high <= height
+            for wide, high in (_estimate(plate, scale) for plate in plates)
+        )
+    ] or [SCALES[-1]]
+    pages: dict[int, int] = {}
+    for scale in fitting:
+        if pages and 500.0 / scale < STATION_ROOM:
+            break
+        pages[scale] = count = 0
+        left = 0.0
+        for plate in plates:
+            size = _estimate(plate, scale)
+            high = _most_rows(size, listings[plate.mark], area)[1]
+            if high > left:
+                count, left = count + max(1, math.ceil(high / height)), height
+            left -= high + GAP
+        pages[scale] = count
+    enough = MORE_PAGES * min(pages.values())
+    return next(scale for scale, count in pages.items() if count <= enough)
+
+
+def _estimate(plate: DevelopedPlate, scale: float) -> tuple[float, float]:
+    """About the size of a pattern's block, mm."""
+    wide = max(plate.length / scale + LABEL_ROOM[0], CAPTION_ROOM)
+    lines = 2 + math.ceil(400.0 / wide)
+    return wide, plate.width / scale + LABEL_ROOM[1] + 6.0 + CAPTION_ROW * lines
+
+
+def _tables(size, listings: Sequence[Listing], area, continued: str) -> list[Block]:
+    """The tables of a plate, cut so that with its pattern they take the least height."""
+    most = _most_rows(size, listings, area)[0]
+    return [block for listing in listings for block in table_blocks(listing, most, continued)]
+
+
+def _most_rows(size, listings: Sequence[Listing], area) -> tuple[int, float]:
+    """How many rows a table has at most, and the height of pattern and tables then, mm."""
+    width, height = area[2] - area[0], area[3] - area[1]
+    counts = [(sum(listing.widths), len(listing.rows)) for listing in listings]
+    longest = max((rows for _, rows in counts), default=1)
+    most = min(longest, int((height - TITLE_ROOM) // ROW_HEIGHT) - 1)
+    best = (most, math.inf)
+    for cap in np.unique(np.geomspace(min(LEAST_ROWS, most), most, 16).astype(int)).tolist():
+        sizes = [
+            (wide, TITLE_ROOM + ROW_HEIGHT * (min(cap, rows - start) + 1))
+            for wide, rows in counts
+            for start in range(0, rows, cap)
+        ]
+        high = shelf_height([size, *sizes], width)
+        if high < best[1] - 1.0:
+            best = (cap, high)
+    return best
+
+
+def _listings(plate: DevelopedPlate, record: MemberRecord, style: SheetStyle) -> list[Listing]:
+    found = [_points(plate, style), _panels(plate, style), _edges(plate, record, style)]
+    return [listing for listing in found if listing.rows]
+
+
+def _points(plate: DevelopedPlate, style: SheetStyle) -> Listing:
+    rows = tuple(
+        (
+            point.label,
+            point.line,
+            style.say(point.edge),
+            fixed(point.s, 1),
+            *(fixed(value, 0) for value in point.xyz),
+            *(fixed(value, 1) for value in point.flat),
+        )
+        for point in plate.points
+    )
+    header = style.said(("point", "line", "edge", "s", "x", "y", "z", "u", "v"))
+    return Listing(style.say("{}: points", plate.mark), header, rows, "<<<" + ">" * 6)
+
+
+def _panels(plate: DevelopedPlate, style: SheetStyle) -> Listing:
+    """Edges and diagonals of the panels: a row each flat, formed and straight."""
+    panels: dict[str, dict] = {}
+    for measure in plate.panels:
+        panels.setdefault(measure.panel, {})[measure.what] = measure
+    names = list(dict.fromkeys(measure.what for measure in plate.panels))
+    say = style.say
+    rows = []
+    for panel, own in panels.items():
+        for k, (state, field) in enumerate(
+            (("flat", "flat"), ("formed", "arc"), ("chord", "chord_outer"))
+        ):
+            values = (fixed(getattr(own[name], field), 1) if name in own else "" for name in names)
+            rows.append(("" if k else panel, say(state), *values))
+    titles = [
+        " ".join(say(word) if not word.isdigit() else word for word in name.split())
+        for name in names
+    ]
+    header = (say("panel"), say("state"), *titles)
+    return Listing(
+        say("{}: panels, before and after forming", plate.mark),
+        header,
+        tuple(rows),
+        "<<" + ">" * len(names),
+    )
+
+
+def edge_preps(plate: DevelopedPlate, record: MemberRecord, style: SheetStyle) -> dict[str, str]:
+    """How the edges of a plate are cut for their welds, by `E-1`, `E-2` and names of long edges."""
+    faces = {other.mark: other.face for other in record.plates}
+    found: dict[str, dict[str, None]] = {}
+    for weld in record.welds:
+        if plate.mark not in weld.plates:
+            continue
+        other = weld.plates[1 - weld.plates.index(plate.mark)]
+        edge = _edge_of(plate, weld, faces.get(other, ""))
+        if edge:
+            found.setdefault(edge, {})[prep_words(weld, plate.mark, style)] = None
+    return {edge: " / ".join(texts) for edge, texts in found.items()}
+
+
+def _edge_of(plate: DevelopedPlate, weld: Weld, face: str) -> str:
+    if weld.kind == "joint":
+        nearer_start = abs(weld.start - plate.s_start) <= abs(weld.start - plate.s_end)
+        return "E-1" if nearer_start else "E-2"
+    named = [edge.edge for edge in plate.edges if edge.edge == weld.name]
+    return (named or [edge.edge for edge in plate.edges if edge.neighbour == face] or [""])[0]
+
+
+def prep_words(weld: Weld, mark: str, style: SheetStyle) -> str:
+    """How a plate is cut for a weld: the bevel with its angle, side and land, or `square`."""
+    say, prep = style.say, weld.prep
+    both = prep.type in ("v", "double-v")
+    if not prep.is_cut or not (both or mark == weld.plates[0]):
+        return say("square")
+    double = say("double bevel") if prep.type.startswith("double") else say("bevel")
+    text = f"{double} {math.degrees(prep.cut_angle):g}°"
+    if not prep.type.startswith("double"):
+        text += " " + (say("outside") if prep.side == "outer" else say("inside"))
+    return text + (f", {say('land')} {style.length(prep.land, 1)}" if prep.land else "")
+
+
+def _short(preps: dict[str, str]) -> dict[str, str]:
+    """What stands on the drawing: bevels and their angles; the rest is in the table."""
+    return {edge: text[: text.index("°") + 1] for edge, text in preps.items() if "°" in text}
+
+
+def _edges(plate: DevelopedPlate, record: MemberRecord, style: SheetStyle) -> Listing:
+    say = style.say
+    preps = edge_preps(plate, record, style)
+    long = {edge.edge: edge for edge in plate.edges}
+    rows = []
+    for name in dict.fromkeys((*long, *(("E-1", "E-2") if plate.lines else ()))):
+        edge = long.get(name)
+        rows.append(
+            (
+                say(name),
+                say(edge.neighbour) if edge else "",
+                preps.get(name, "–"),
+                _range(edge, "bevel"),
+                _range(edge, "dihedral"),
+            )
+        )
+    header = style.said(("edge", "meets", "cut", "edge surface, °", "dihedral, °"))
+    return Listing(say("{}: edges", plate.mark), header, tuple(rows), "<<<>>")
+
+
+def _range(edge: PlateEdge | None, name: str) -> str:
+    """Least and greatest angle along an edge, degrees."""
+    values = np.degrees(getattr(edge, name)) if edge else np.array([])
+    values = values[np.isfinite(values)]
+    if not len(values):
+        return ""
+    low, high = fixed(float(values.min()), 1), fixed(float(values.max()), 1)
+    return low if low == high else f"{low} … {high}"

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the nodes of a project do to one member: what they take, where joints keep clear."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..members.member import Member, MemberEnd, MemberGap
+from ..plates.flat_plate import FlatPlate
+from .node_blend import Blend, check_blends, with_blends
+from .node_branch import Branch
+from .node_record import NodeRecord
+from .nodes import Node
+
+PLACES_APART = 100.0
+"""mm: places joints keep clear of lie no farther apart over the seat of a node."""
+
+
+@dataclass(frozen=True, eq=False)
+class MemberNodes:
+    """What nodes do to a member: gaps, rising; places joints keep clear of; places of the field
+    joints behind stubs, mm on its axis; diaphragms put inside it, along its axis; records
+    of the nodes it ends on others at; blends of its sections before them."""
+
+    gaps: tuple[MemberGap, ...] = ()
+    places: tuple[float, ...] = ()
+    stubs: tuple[float, ...] = ()
+    diaphragms: tuple[FlatPlate, ...] = ()
+    records: tuple[NodeRecord, ...] = ()
+    blends: tuple[Blend, ...] = ()
+
+
+def nodes_of_member(nodes: tuple[Node, ...], member: str, length: float) -> MemberNodes:
+    """Of all nodes, what they do to the member of this name and axis length."""
+    gaps, places, stubs, flats, records, blends = [], [], [], [], [], []
+    for node in nodes:
+        for branch in node.branches:
+            if node.through == member:
+                low, high = branch.seat
+                count = 2 + int((high - low) / PLACES_APART)
+                places += np.linspace(low, high, count).tolist()
+                flats += branch.diaphragms
+            if branch.member != member:
+                continue
+            gap = _gap(branch, length)
+            gaps.append(gap)
+            records.append(_record(node, branch))
+            blends += branch.blends
+            for end in (gap.before, gap.behind):
+                if end is not None:
+                    places += [end.least, end.greatest]
+            if branch.row.type == "stub":
+                stubs += [branch.s + side.way * branch.row.stub_length for side in branch.sides]
+    return MemberNodes(
+        tuple(sorted(gaps, key=lambda gap: gap.start)),
+        tuple(sorted(places)),
+        tuple(sorted(stubs)),
+        tuple(sorted(flats, key=lambda flat: flat.s)),
+        tuple(sorted(records, key=lambda record: record.s_other)),
+        tuple(sorted(blends, key=lambda blend: blend.full)),
+    )
+
+
+def _gap(branch: Branch, length: float) -> MemberGap:
+    """The stretch a node takes: between its two cuts, or from its one cut to the member's end."""
+    ends = {side.way: MemberEnd(side.cut, side.low, side.high) for side in branch.sides}
+    start = 0.5 * (ends[-1].least + ends[-1].greatest) if -1 in ends else 0.0
+    end = 0.5 * (ends[1].least + ends[1].greatest) if 1 in ends else length
+    return MemberGap(start, end, ends.get(-1), ends.get(1))
+
+
+def with_nodes(member: Member, given: MemberNodes) -> Member:
+    """The member with what nodes take of it; raises BendTorsionError as `check_blends`."""
+    check_blends(member, given.blends, given.gaps)
+    member = with_blends(member, given.blends)
+    edges = {edge for gap in given.gaps for edge in (gap.start, gap.end)} - {0.0, member.length}
+    joints = tuple(sorted({*member.law.joints, *edges, *given.stubs}))
+    law = replace(member.law, joints=joints)
+    return replace(
+        member,
+        law=law,
+        gaps=given.gaps,
+        inserts=given.diaphragms,
+        node_records=given.records,
+        stub_ends=given.stubs,
+    )
+
+
+def numbered(member: Member, others: Sequence[FlatPlate]) -> tuple[FlatPlate, ...]:
+    """The diaphragms nodes put inside a member, marked after its others."""
+    first = 1 + sum(flat.letter == "D" for flat in others)
+    return tuple(
+        replace(flat, mark=f"{member.name}-D{number}")
+        for number, flat in enumerate(member.inserts, start=first)
+    )
+
+
+def _record(node: Node, branch: Branch) -> NodeRecord:
+    """The record of one of a node's branches."""
+    return NodeRecord(
+        node.name,
+        node.kind,
+        node.through,
+        branch.member,
+        branch.s_through,
+        branch.s,
+        *(float(value) for value in node.point),
+        branch.angle,
+        branch.distance,
+        branch.row.type,
+        branch.gap,
+        branch.row.stub_length,
+        tuple(" and ".join(side.faces) for side in branch.sides),
+        branch.steps,
+        len(branch.diaphragms),
+        branch.limits,
+    )

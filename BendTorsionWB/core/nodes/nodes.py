@@ -1,0 +1,269 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Nodes: where members meet, which of them runs through, and what cannot be a node."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..finding import Finding, error
+from ..members.member import Member
+from .node_blend import with_blends
+from .node_branch import Branch, branch_at, reach
+from .node_diaphragms import node_diaphragms
+from .node_faces import outer_faces
+from .node_flush import flange_steps, flush_findings
+from .node_flushing import blended
+from .node_input import NodeInput, NodeRules
+from .node_meetings import Meeting, line_points, meetings_of, places_of, resolved, unfit
+
+DEFAULT_RULES = NodeRules()
+
+
+@dataclass(frozen=True, eq=False)
+class Node:
+    """A node: name, the member that runs through and where (s, mm), the point (3,) on its axis,
+    kind (`crossing`, `T`, `Y`, `K` or `corner`) and its branches."""
+
+    name: str
+    kind: str
+    through: str
+    s: float
+    point: np.ndarray
+    branches: tuple[Branch, ...]
+
+    @property
+    def members(self) -> tuple[str, ...]:
+        """The member that runs through, then the branches."""
+        return self.through, *(branch.member for branch in self.branches)
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """All nodes of a project in order, what was found on the way, and the pairs of members that
+    meet, at a node or in error."""
+
+    nodes: tuple[Node, ...] = ()
+    findings: tuple[Finding, ...] = ()
+    met: frozenset[frozenset[str]] = frozenset()
+
+    def of(self, member: str) -> tuple[Node, ...]:
+        """The nodes a member takes part in."""
+        return tuple(node for node in self.nodes if member in node.members)
+
+
+def find_nodes(
+    members: Mapping[str, Member],
+    ranks: Mapping[str, int | None],
+    rows: Sequence[NodeInput] = (),
+    rules: NodeRules = DEFAULT_RULES,
+) -> Found:
+    """The nodes of all members.
+
+    Two members whose solids meet make a node; the one a row names, else the one of lower rank
+    runs through (one without a rank ends at one that has one). Nodes are named by their row or
+    N1, N2 … by the order of the members and the place on the member that runs through. Errors
+    name both members; what has an error is no node.
+    """
+    meetings, findings = meetings_of(members, rules)
+    lengths = {name: member.length for name, member in members.items()}
+    used: set[int] = set()
+    made: list[tuple[Meeting, NodeInput | None, Branch | None, list[Finding]]] = []
+    for meeting in meetings:
+        chosen, index, faults = resolved(meeting, ranks, rows, meetings, lengths)
+        branch = None
+        if index is not None:
+            used.add(index)
+        if chosen is not None:
+            faults = unfit(meeting, chosen, members, rules)
+        if chosen is not None and not faults:
+            through, other = members[chosen.through], members[chosen.other]
+            branch, faults = branch_at(through, other, *places_of(meeting, chosen), chosen, rules)
+        made.append((meeting, chosen, branch, faults))
+    branches: list[tuple[str, Branch]] = []
+    for meeting, chosen, branch, faults in made:
+        within = _within_a_node(meeting, [(c.through, b) for _, c, b, _ in made if b])
+        if within:
+            findings += _beside(*within, members)
+            continue
+        findings += faults
+        if branch is not None:
+            branches.append((chosen.through, branch))
+    findings += [
+        error(
+            "node-not-found",
+            row.name or f"{row.through} {row.other}",
+            f"{row.through} and {row.other} do not meet"
+            + (
+                ""
+                if row.s is None
+                else f" near s = {row.place(lengths.get(row.through, 1.0)):.0f} mm of {row.through}"
+            ),
+            "correct the members of the row, or delete it",
+            position=f"row {index + 1}",
+        )
+        for index, row in enumerate(rows)
+        if index not in used and not _in_error(row, findings)
+    ]
+    failed = {(f.object, f.position) for f in findings if f.code in _OF_BRANCHES}
+    branches = [
+        (through, branch)
+        for through, branch in branches
+        if (branch.member, _seat_text(branch, through)) not in failed
+    ]
+    named = _named(_grouped(branches, members, rules), list(members))
+    nodes = [_detailed(node, members, rules, findings) for node in named]
+    met = frozenset(frozenset((m.one, m.other)) for m in meetings)
+    return Found(tuple(nodes), tuple(findings), met)
+
+
+def _in_error(row: NodeInput, findings: Sequence[Finding]) -> bool:
+    return any(f.object in (row.through, row.other) for f in findings if f.severity == "error")
+
+
+def _detailed(
+    node: Node, members: Mapping[str, Member], rules: NodeRules, findings: list[Finding]
+) -> Node:
+    """The node with the steps and the diaphragms of its branches."""
+    through, branches = members[node.through], []
+    for branch in node.branches:
+        other = members[branch.member]
+        branch = replace(branch, steps=flange_steps(through, other, branch))
+        if branch.row.blend:
+
+            def again(member: Member, own: Branch = branch) -> Branch | None:
+                found, _ = branch_at(through, member, own.s_through, own.s, own.row, rules)
+                return found and found.at_node(node.name)
+
+            branch, faults = blended(node.name, through, other, branch, again)
+            findings += faults
+            other = with_blends(other, branch.blends)
+            branch = replace(branch, steps=flange_steps(through, other, branch))
+        findings += flush_findings(node.name, node.through, branch, rules)
+        made, faults = node_diaphragms(node.name, through, other, branch, rules)
+        findings += faults
+        limits = (rules.flange_step, rules.flange_angle)
+        branches.append(replace(branch, diaphragms=made, limits=limits))
+    return replace(node, branches=tuple(branches))
+
+
+def _within_a_node(
+    meeting: Meeting, branches: Sequence[tuple[str, Branch]]
+) -> tuple[str, Branch, Branch] | None:
+    """The member and its two branches whose node a meeting of these branches lies in."""
+    for through, one in branches:
+        if one.member != meeting.one or not _takes(one, meeting.at.first):
+            continue
+        for other_through, other in branches:
+            if (
+                other_through == through
+                and other.member == meeting.other
+                and _takes(other, meeting.at.second)
+            ):
+                return through, one, other
+    return None
+
+
+def _takes(branch: Branch, place: float) -> bool:
+    low, high = branch.cut_range
+    return low <= place <= high
+
+
+def _seat_text(branch: Branch, through: str) -> str:
+    return f"s = {branch.s_through:.0f} mm of {through}"
+
+
+_OF_BRANCHES = ("node-three-through", "node-branches-overlap")
+
+
+def _beside(
+    through: str, one: Branch, other: Branch, members: Mapping[str, Member]
+) -> list[Finding]:
+    """Errors of two branches of one node that both pass through it, or overlap outside it."""
+    names = f"{one.member}, {other.member} and {through}"
+    if len(one.sides) == 2 and len(other.sides) == 2:
+        code, message = "node-three-through", f"{names} all pass through one place"
+        mend, value, limit, unit = "end one of them at the node, or move it along", 3, 2, ""
+    else:
+        depth = _overlap(one, other, members)
+        if depth <= 0.0:
+            return []
+        code = "node-branches-overlap"
+        message = f"{one.member} and {other.member} overlap where they land on {through}"
+        mend, value, limit, unit = "move one of them along", depth, 0.0, "mm"
+    return [
+        error(
+            code,
+            branch.member,
+            message,
+            mend,
+            position=_seat_text(branch, through),
+            value=value,
+            limit=limit,
+            unit=unit,
+        )
+        for branch in (one, other)
+    ]
+
+
+def _overlap(one: Branch, other: Branch, members: Mapping[str, Member]) -> float:
+    """How deep, mm, lines of one branch lie in what is left of another beyond the node."""
+    deepest = 0.0
+    for a, b in ((one, other), (other, one)):
+        if not members[b.member].law.sections[0].closed:
+            continue
+        span = 4.0 * (reach(members[a.member]) + reach(members[b.member]))
+        faces = outer_faces(members[b.member], b.s - span, b.s + span)
+        points = line_points(members[a.member], a.s, span)
+        inside = faces.inside(points)
+        for near in a.sides:
+            for far in b.sides:
+                kept = [side.cut.value_and_gradient(points)[0] for side in (near, far)]
+                deepest = max(deepest, float(np.minimum.reduce([-inside, *kept]).max()))
+    return deepest
+
+
+def _grouped(
+    branches: Sequence[tuple[str, Branch]], members: Mapping[str, Member], rules: NodeRules
+) -> list[Node]:
+    """Branches of one through member whose seats overlap or all but touch make one node."""
+    groups: list[list[tuple[str, Branch]]] = []
+    for item in sorted(branches, key=lambda b: (b[0], b[1].s_through, b[1].member)):
+        last = groups[-1] if groups else None
+        edge = max(b.seat[1] for _, b in last) + rules.same if last else 0.0
+        if last and last[-1][0] == item[0] and item[1].seat[0] < edge:
+            last.append(item)
+        else:
+            groups.append([item])
+    nodes = []
+    for group in groups:
+        through, own = group[0][0], tuple(branch for _, branch in group)
+        names = sorted({b.row.name for b in own if b.row.name})
+        s = float(np.mean([b.s_through for b in own]))
+        point = members[through].frames.axis.position(np.array([s]))[0]
+        nodes.append(Node(names[0] if names else "", _kind(own), through, s, point, own))
+    return nodes
+
+
+def _kind(branches: Sequence[Branch]) -> str:
+    ending = [branch for branch in branches if len(branch.sides) == 1]
+    if len(ending) < len(branches):
+        return "crossing"
+    if any(branch.at_corner for branch in branches):
+        return "corner"
+    if len(branches) > 1:
+        return "K"
+    return "T" if branches[0].angle > math.radians(75.0) else "Y"
+
+
+def _named(nodes: Sequence[Node], order: Sequence[str]) -> list[Node]:
+    nodes = sorted(nodes, key=lambda n: (order.index(n.through), n.s))
+    taken = {node.name for node in nodes if node.name}
+    free = (name for k in range(1, 10 * len(nodes) + 10) if (name := f"N{k}") not in taken)
+    named = [replace(node, name=node.name or next(free)) for node in nodes]
+    return [
+        replace(node, branches=tuple(b.at_node(node.name) for b in node.branches)) for node in named
+    ]

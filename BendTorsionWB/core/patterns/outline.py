@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The outline of a flat pattern, as smooth runs in the plane of its development."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..flattening.development import Development
+from ..geometry.piecewise import parted
+from ..geometry.vectors import lengths
+from ..members.contour import EndCurves
+from ..plates.plates import Plate
+
+OUTLINE_SAGITTA = 0.0005
+LONGEST_OUTLINE_CHORD = 40.0
+
+
+def outline_in_plane(development: Development, plate: Plate) -> list[np.ndarray]:
+    """Smooth runs, head to tail, counter-clockwise in the plane: first edge along +s, end line,
+    second edge back, start line."""
+    corners = plate.line_places("mid")
+    spans = []
+    for k in (0, 1):
+        edges = [float(corners[0, k]), *plate.rails.mid_folds, float(corners[-1, k])]
+        spans += [(a, b, float(k)) for a, b in zip(edges[:-1], edges[1:], strict=True)]
+    probes = _along(development, [(a, b, w, 33) for a, b, w in spans])
+    counts = _chord_counts(np.array(probes)) + 1
+    runs = _along(
+        development, [(*span, n) for span, n in zip(spans, counts.tolist(), strict=True)]
+    )
+    forth, back = (
+        runs[: len(plate.rails.mid_folds) + 1],
+        [run[::-1] for run in reversed(runs[len(plate.rails.mid_folds) + 1 :])],
+    )
+    end, start = (
+        _end_line(development, s, a, b) if cut is None else _cut_line(development, cut, a, b)
+        for s, cut, a, b in zip(
+            (plate.end, plate.start),
+            plate.cuts[::-1],
+            (forth[-1][-1], back[-1][-1]),
+            (back[0][0], forth[0][0]),
+            strict=True,
+        )
+    )
+    return [*forth, end, *back, start]
+
+
+def _along(
+    development: Development, spans: Sequence[tuple[float, float, float, int]]
+) -> list[np.ndarray]:
+    """Points (n, 2) at n even places from a to b along the lines of constant w (a, b, w, n)."""
+    counts = [n for *_, n in spans]
+    a, b, w, _ = np.repeat(np.array(spans), counts, axis=0).T
+    ends = np.cumsum(counts)
+    number = np.arange(ends[-1]) - np.repeat(ends - counts, counts)
+    s = a + (b - a) * (number / np.repeat(np.array(counts) - 1, counts))
+    s[ends - 1] = b[ends - 1]
+    return parted(development.flat(s, w), counts)
+
+
+def _chord_counts(points: np.ndarray) -> np.ndarray:
+    """Chords (k,) that keep the sagitta of runs through evenly spaced points (k, 33, 2)."""
+    step = points[:, 1:] - points[:, :-1]
+    chords = lengths(step)
+    (x, y), (x_next, y_next) = ((one[..., 0], one[..., 1]) for one in (step[:, :-1], step[:, 1:]))
+    turn = np.arctan2(x * y_next - y * x_next, x * x_next + y * y_next)
+    curvature = (np.abs(turn) / (0.5 * (chords[:, 1:] + chords[:, :-1]))).max(axis=1) + 1e-12
+    longest = np.minimum(LONGEST_OUTLINE_CHORD, np.sqrt(8 * OUTLINE_SAGITTA / curvature))
+    return np.maximum(2, np.ceil(chords.sum(axis=1) / longest).astype(int))
+
+
+def _end_line(development: Development, s: float, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """The end line from a to b: straight, unless a correction bends the rulings."""
+    if development.correction is None:
+        return np.array([a, b])
+    w = np.linspace(0.0, 1.0, 33)
+    points = development.flat(np.full(33, s), w)
+    points = points if np.allclose(points[0], a) else points[::-1]
+    return np.concatenate([[a], points[1:-1], [b]])
+
+
+def _cut_line(development: Development, cut: EndCurves, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """The end line along a cut from a to b, mapped point by point."""
+
+    def mapped(count: int) -> np.ndarray:
+        w = np.linspace(0.0, 1.0, count)
+        return development.flat(cut.at("mid", w), w)
+
+    points = mapped(int(_chord_counts(mapped(33)[None])[0]) + 1)
+    forwards = ((points[0] - a) ** 2).sum() < ((points[-1] - a) ** 2).sum()
+    points = points if forwards else points[::-1]
+    return np.concatenate([[a], points[1:-1], [b]])

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Bodies of plates: their rails, volumes and ends, square or cut."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from weakref import WeakKeyDictionary
+
+from .. import tolerances
+from ..finding import BendTorsionError, error
+from ..joints.lanes import Lane
+from ..members.contour import EndCurves, end_curves
+from ..members.contour_measure import TrimmedFigures, trimmed_figures
+from ..members.member import Member, MemberEnd
+from ..members.strips import StripRails, rails_between, section_integrand
+from ..members.volume import strip_volumes
+
+_volume_of: WeakKeyDictionary[StripRails, float] = WeakKeyDictionary()
+"""Volumes of plates that live; an edit leaves most rails as they are."""
+
+
+@dataclass(frozen=True, eq=False)
+class Body:
+    """A plate's rails and volume; where its ends are cut, their curves, rails that reach beyond
+    them and the figures of what is left."""
+
+    rails: StripRails
+    volume: float
+    cuts: tuple[EndCurves | None, EndCurves | None] = (None, None)
+    uncut: StripRails | None = None
+    figures: TrimmedFigures | None = None
+
+
+def bodies(
+    member: Member,
+    spans: Sequence[tuple[int, float, float]],
+    lanes: Mapping[int, Sequence[Lane]],
+) -> list[Body]:
+    """The bodies of plates (strip, start, end), lane by lane; all square ones made together.
+
+    Raises BendTorsionError for an end cut that reaches over a whole plate or does not cut it once.
+    """
+    ends = [member.ends_of(start, end) for _, start, end in spans]
+    spans = [
+        (strip, *member.opened(member.law.strips[strip].face, start, end))
+        for strip, start, end in spans
+    ]
+    square = [span for span, at in zip(spans, ends, strict=True) if at == (None, None)]
+    rails = [
+        lane.cut(own)
+        for own, (strip, *_) in zip(
+            rails_between(member, square) if square else (), square, strict=True
+        )
+        for lane in lanes[strip]
+    ]
+    made = iter(map(Body, rails, _volumes(member, rails)))
+    return [
+        next(made) if at == (None, None) else _cut_body(member, span, at, lane)
+        for span, at in zip(spans, ends, strict=True)
+        for lane in lanes[span[0]]
+    ]
+
+
+def _volumes(member: Member, plates: Sequence[StripRails]) -> list[float]:
+    """∫A(1 − κ·e)ds between square ends (Pappus); surface quadrature of plates that are mitred."""
+    new = [rails for rails in plates if rails not in _volume_of]
+    mitred = [rails for rails in new if rails.boundaries]
+    _volume_of.update(zip(mitred, strip_volumes(mitred) if mitred else (), strict=True))
+    for rails in new:
+        if not rails.boundaries:
+            _volume_of[rails] = float(section_integrand(member, rails).integral()[0])
+    return [_volume_of[rails] for rails in plates]
+
+
+def _cut_body(
+    member: Member,
+    span: tuple[int, float, float],
+    ends: tuple[MemberEnd | None, MemberEnd | None],
+    lane: Lane,
+) -> Body:
+    """A plate cut at one end or both."""
+    strip, *places = span
+    face = member.law.strips[strip].face
+    wide, clear = list(places), list(places)
+    for k, end in enumerate(ends):
+        if end is not None:
+            clear[k] = (end.greatest, end.least)[k]
+            wide[k] = end.reach[k]
+    if clear[1] - clear[0] < tolerances.SHORTEST_PLATE:
+        raise BendTorsionError(
+            error(
+                "end-cut-over-joint",
+                member.name,
+                "an end cut reaches over the whole first or last plate of a face",
+                "move the joint away from the end, or turn the cut across the axis",
+                position=f"face {face}, s = {places[0]:.0f} to {places[1]:.0f} mm",
+                value=float(clear[1] - clear[0]),
+                limit=tolerances.SHORTEST_PLATE,
+                unit="mm",
+            )
+        )
+    uncut = lane.cut(rails_between(member, [(strip, *wide)])[0])
+    cuts = tuple(
+        None if end is None else end_curves(f"{member.name} {face}", uncut, end.surface, k)
+        for k, end in enumerate(ends)
+    )
+    tight = [
+        place if cut is None else cut.range[k]
+        for k, (place, cut) in enumerate(zip(places, cuts, strict=True))
+    ]
+    rails = lane.cut(rails_between(member, [(strip, *tight)])[0])
+    figures = trimmed_figures(uncut, cuts)
+    return Body(rails, figures.volume, cuts, uncut, figures)

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The record of a weld, as lists, maps and drawings show it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .preps import Prep
+
+
+@dataclass(frozen=True)
+class Weld:
+    """One weld. mark: unique in the project. kind: `seam`, `lane` (between lanes of one face),
+    `joint`, `node` (of a branch on the member that runs through) or `diaphragm`. plates: the first
+    is the one that is cut to fit the other, which at a node is told by member and face. start, end: arc length on the axis, mm. length: along the weld,
+    mm. thickness: of both plates, mm. dihedral: mean angle between the plates on the inner side,
+    rad. place: `shop` or `field`."""
+
+    mark: str
+    member: str
+    piece: int
+    kind: str
+    name: str
+    plates: tuple[str, str]
+    start: float
+    end: float
+    length: float
+    thickness: tuple[float, float]
+    dihedral: float
+    prep: Prep
+    place: str
+    ndt: str

@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The welds of a member: its longitudinal seams and butt joints, with preparation and length.
+
+A seam is named by the letters of its two faces in section order (`TL`), the seams between the
+lanes of one face by its letter (`T`), a butt joint by the plates it joins (`T1/T2`), a weld at a
+node by the node. A weld runs
+where one pair of plates meets under one row of the Edges sheet; where no row applies the rule
+pack's defaults do.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..finding import BendTorsionError, Finding, warning
+from ..lofting import DevelopedPlate, PlateEdge
+from ..nodes.node_record import NodeRecord
+from ..sections.section import Strip
+from .node_welds import branch_welds, diaphragm_welds
+from .preps import Prep, prep_findings
+from .weld_record import Weld
+
+SAME_PLACE = 0.01
+"""mm; plates whose ends lie nearer than this along the axis meet there."""
+
+SHORTEST_WELD = 1.0
+"""mm; stretches shorter than this, where two plates' ends all but coincide, are no weld."""
+
+
+@dataclass(frozen=True)
+class EdgeTreatment:
+    """One row of the Edges sheet: a seam, a joint or `joints` (all of them), between two arc
+    lengths (mm; with the ratio flag a part of the axis length), with preparation, place (`shop`,
+    `field`) and test; None and empty for the defaults."""
+
+    where: str
+    start: float = 0.0
+    end: float = np.inf
+    prep: Prep | None = None
+    place: str = ""
+    ndt: str = ""
+    start_is_ratio: bool = False
+    end_is_ratio: bool = False
+
+    def on(self, length: float) -> EdgeTreatment:
+        """The row with its places in mm of an axis of this length."""
+        start = self.start * length if self.start_is_ratio else self.start
+        end = self.end * length if self.end_is_ratio else self.end
+        return replace(
+            self, start=start, end=min(end, length), start_is_ratio=False, end_is_ratio=False
+        )
+
+
+@dataclass(frozen=True)
+class WeldDefaults:
+    """Preparations of seams and joints that no row names, of branches at nodes and of diaphragms
+    there, the leg of their fillets over the thinner plate, and the step (rad) bevel angles are cut
+    in, by the rule pack."""
+
+    seam: Prep = Prep("corner", "bevel", np.radians(45.0), 6.0, 0.0)
+    joint: Prep = Prep("butt", "v", np.radians(60.0), 2.0, 2.0)
+    ndt_shop: str = ""
+    ndt_field: str = ""
+    bevel_step: float = np.radians(1.0)
+    branch: Prep = Prep("branch", "bevel", np.radians(45.0), 2.0)
+    diaphragm: Prep = Prep("diaphragm", "double-fillet")
+    leg: float = 0.7
+
+
+def welds_of(
+    member: str,
+    plates: Sequence[DevelopedPlate],
+    strips: Sequence[Strip],
+    rows: Sequence[EdgeTreatment],
+    defaults: WeldDefaults,
+    nodes: Sequence[NodeRecord] = (),
+) -> tuple[tuple[Weld, ...], tuple[Finding, ...]]:
+    """The welds of a member's plates, seams first then joints, those at nodes it ends on others at
+    and of diaphragms nodes put inside it, each along +s; findings name rows that apply to nothing.
+    Raises BendTorsionError for preparations that do not fit their plates."""
+    order = {strip.face: k for k, strip in enumerate(strips)}
+    walls = [plate for plate in plates if plate.face in order]
+    used: set[EdgeTreatment] = set()
+    welds = [*_seams(walls, strips, rows, defaults, used), *_joints(walls, rows, defaults, used)]
+    welds += branch_welds(walls, nodes, defaults)
+    welds += diaphragm_welds([p for p in plates if p.face == "diaphragm"], walls, defaults)
+    numbers = {id(row.prep): k for k, row in enumerate(rows, start=1) if row.prep}
+    faults = {}
+    for weld in welds:
+        number = numbers.get(id(weld.prep))
+        where = "" if number is None else f"edge {number}"
+        for finding in prep_findings(weld.prep, min(weld.thickness), member, where):
+            faults.setdefault((finding.code, weld.prep), finding)
+    if faults:
+        raise BendTorsionError(faults.values())
+    unused = [
+        warning(
+            "edge-row-unused",
+            member,
+            f"no weld of the member is {row.where} in that range",
+            "name a seam such as TL, a joint such as T1/T2, or joints for all of them",
+            position=f"edge {number}",
+        )
+        for number, row in enumerate(rows, start=1)
+        if row not in used
+    ]
+    return tuple(welds), tuple(unused)
+
+
+def _seams(walls, strips: Sequence[Strip], rows, defaults: WeldDefaults, used) -> Iterator[Weld]:
+    order = {strip.face: k for k, strip in enumerate(strips)}
+    stops = {
+        (strip.face, stop.face)
+        for strip in strips
+        for stop in (strip.stops_at_first, strip.stops_at_second)
+        if stop is not None
+    }
+    by_face: dict[str, list[DevelopedPlate]] = {}
+    for plate in walls:
+        by_face.setdefault(plate.face, []).append(plate)
+    for plate in walls:
+        for edge in plate.edges:
+            own, other = order[plate.face], order.get(edge.neighbour, -1)
+            in_face = own == other and edge is plate.edges[1]
+            if other <= own and not in_face:
+                continue
+            name = strips[own].letter + ("" if in_face else strips[other].letter)
+            for beside in by_face[edge.neighbour]:
+                if in_face and beside.edges[0].edge != edge.edge:
+                    continue
+                start = max(plate.s_start, beside.s_start)
+                end = min(plate.s_end, beside.s_end)
+                if end - start < SHORTEST_WELD:
+                    continue
+                cut_second = (edge.neighbour, plate.face) in stops
+                pair = (beside, plate) if cut_second else (plate, beside)
+                for low, high, row in _stretches(rows, (name,), start, end, used):
+                    yield Weld(
+                        f"{plate.member}-{name}-{plate.mark.split('-')[-1]}/"
+                        f"{beside.mark.split('-')[-1]}" + ("" if row is None else f"@{low:.0f}"),
+                        plate.member,
+                        plate.piece,
+                        "lane" if in_face else "seam",
+                        name,
+                        (pair[0].mark, pair[1].mark),
+                        low,
+                        high,
+                        _edge_length(plate, edge, low, high),
+                        (pair[0].thickness, pair[1].thickness),
+                        _mean(edge.s, edge.dihedral, low, high),
+                        row.prep
+                        if row and row.prep
+                        else (defaults.joint if in_face else defaults.seam),
+                        row.place if row and row.place else "shop",
+                        row.ndt if row and row.ndt else defaults.ndt_shop,
+                    )
+
+
+def _joints(walls, rows, defaults: WeldDefaults, used) -> Iterator[Weld]:
+    for one in walls:
+        for two in walls:
+            beside = [tuple(edge.edge for edge in plate.edges) for plate in (one, two)]
+            if one.face != two.face or beside[0] != beside[1]:
+                continue
+            if abs(two.s_start - one.s_end) >= SAME_PLACE or not one.lines or not two.lines:
+                continue
+            short = [mark.split("-")[-1] for mark in (one.mark, two.mark)]
+            name = "/".join(short)
+            field = one.piece != two.piece
+            row = next((r for r in rows if r.where in (name, "joints")), None)
+            if row is not None:
+                used.add(row)
+            yield Weld(
+                f"{one.member}-{name}",
+                one.member,
+                two.piece,
+                "joint",
+                name,
+                (one.mark, two.mark),
+                one.s_end,
+                two.s_start,
+                one.lines[-1].length_3d,
+                (one.thickness, two.thickness),
+                float(np.pi),
+                row.prep if row and row.prep else defaults.joint,
+                row.place if row and row.place else ("field" if field else "shop"),
+                row.ndt
+                if row and row.ndt
+                else (defaults.ndt_field if field else defaults.ndt_shop),
+            )
+
+
+def _stretches(
+    rows: Sequence[EdgeTreatment], names: tuple[str, ...], start: float, end: float, used
+) -> list[tuple[float, float, EdgeTreatment | None]]:
+    """The stretch from start to end cut where rows begin and end; of two rows the later one
+    holds."""
+    own = [row for row in rows if row.where in names and row.start < end and row.end > start]
+    places = sorted({start, end, *(min(max(p, start), end) for r in own for p in (r.start, r.end))})
+    out = []
+    for low, high in zip(places[:-1], places[1:], strict=True):
+        if high - low < SHORTEST_WELD:
+            continue
+        middle = 0.5 * (low + high)
+        row = next((r for r in reversed(own) if r.start <= middle <= r.end), None)
+        if row is not None:
+            used.add(row)
+        out.append((low, high, row))
+    return out
+
+
+def _edge_length(plate: DevelopedPlate, edge: PlateEdge, low: float, high: float) -> float:
+    """Length along an edge between two arc lengths: panels' arcs, in proportion within one."""
+    arcs = [panel.arc for panel in plate.panels if panel.what == f"edge {edge.edge}"]
+    along = np.concatenate([[0.0], np.cumsum(arcs)])
+    return float(np.diff(np.interp([low, high], edge.s, along))[0])
+
+
+def _mean(s: np.ndarray, values: np.ndarray, low: float, high: float) -> float:
+    """The mean of values known at s over a stretch."""
+    places = np.unique(np.concatenate([[low, high], s[(s > low) & (s < high)]]))
+    at = np.interp(places, s, values)
+    return float((0.5 * (at[1:] + at[:-1]) * np.diff(places)).sum() / (places[-1] - places[0]))

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where texts stand on a flat pattern: clear of its lines, its contour and of each other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+SMALLEST_TEXT = 2.5  # mm; below this no plotter marks legibly
+CHARACTER_WIDTH = 1.0  # width over height of a letter, on the safe side
+CLEARANCE = 0.2
+"""Free way about a text, in its heights."""
+
+_SIZES = (1.0, 0.8, 0.64, 0.5)
+_STARTS = (0.0, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3, 0.4, -0.4)
+_CHORD = 0.2  # rad; arcs are as long as chords that turn by this
+
+
+@dataclass(frozen=True, eq=False)
+class Boxes:
+    """Rectangles: lower left corners (k, 2), unit vectors along their lower sides (k, 2), widths
+    and heights (k,), heights of their text (k,)."""
+
+    corners: np.ndarray
+    reading: np.ndarray
+    widths: np.ndarray
+    heights: np.ndarray
+    text: np.ndarray
+
+    @property
+    def up(self) -> np.ndarray:
+        return np.column_stack([-self.reading[:, 1], self.reading[:, 0]])
+
+
+@dataclass
+class Room:
+    """The lines of a pattern that texts keep clear of: parts (m, 2, 2) each."""
+
+    parts: list[np.ndarray] = field(default_factory=list)
+
+    def add_lines(self, lines: np.ndarray) -> None:
+        """Straight lines (m, 2, 2)."""
+        self.parts.append(np.asarray(lines, float).reshape(-1, 2, 2))
+
+    def add_contour(self, arcs: np.ndarray, close: bool = True) -> None:
+        """A polyline of arcs (m, 3)."""
+        following = np.roll(arcs[:, :2], -1, axis=0)
+        pairs = list(zip(arcs, following, strict=True))
+        chords = []
+        for (x, y, bulge), end in pairs if close else pairs[:-1]:
+            chords.append(_chords(np.array([x, y]), end, bulge))
+        self.add_lines(np.concatenate(chords))
+
+    def clear(self, boxes: Boxes) -> int:
+        """Number of the first box that nothing reaches into, else of the one fewest lines do; it
+        is taken from then on."""
+        lines = np.concatenate(self.parts) if self.parts else np.zeros((0, 2, 2))
+        hits = _reaching(boxes, lines)
+        chosen = int(np.argmin(hits))
+        corner, reading = boxes.corners[chosen], boxes.reading[chosen]
+        across = boxes.widths[chosen] * reading
+        rise = boxes.heights[chosen] * boxes.up[chosen]
+        ring = np.array([corner, corner + across, corner + across + rise, corner + rise])
+        sides = np.stack([ring, np.roll(ring, -1, axis=0)], axis=1)
+        self.add_lines(np.concatenate([sides, ring[[[0, 2], [1, 3]]]]))
+        return chosen
+
+
+def along(
+    text: str, start: np.ndarray, end: np.ndarray, centre: np.ndarray, height: float, at: float
+) -> Boxes:
+    """Places of a text along a line, beside it, wanted first: with its beginning at the part `at`
+    of the line, on the side of `centre`, in the given height or as large as the line allows."""
+    across = end - start
+    length = float(np.hypot(*across))
+    fitting = 0.8 * length / (len(text) * CHARACTER_WIDTH)
+    sizes = _heights(max(SMALLEST_TEXT, min(height, fitting)))
+    way = across / length
+    reading = way if way[1] > 0.0 or (way[1] == 0.0 and way[0] > 0.0) else -way
+    left = np.array([-reading[1], reading[0]])
+    here = 1 if float(((centre - start) * left).sum()) > -0.01 else -1
+    corners, heights = [], []
+    for size in sizes:
+        wide = len(text) * CHARACTER_WIDTH * size
+        for side in (here, -here):
+            for step in _STARTS:
+                first = (at + step) * length
+                if not 0.0 <= first <= length - wide and step:
+                    continue
+                foot = start + (first if reading is way else first + wide) * way
+                corners.append(foot + (0.4 if side > 0 else -1.4) * size * left)
+                heights.append(size)
+    heights = np.array(heights)
+    return Boxes(
+        np.array(corners),
+        np.tile(reading, (len(heights), 1)),
+        len(text) * CHARACTER_WIDTH * heights,
+        heights,
+        heights,
+    )
+
+
+def blocks(
+    wide: float,
+    high: float,
+    height: float,
+    reading: np.ndarray,
+    fields: Sequence[tuple[np.ndarray, np.ndarray]],
+) -> Boxes:
+    """Places of a block of text `wide` and `high` text heights large, in fields between two lines
+    (2, 2) each, wanted first: in the middle of the first field, in the given height."""
+    steps = np.array([0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8])
+    a, b = (grid.ravel() for grid in np.meshgrid(steps, steps, indexing="ij"))
+    order = np.argsort(np.maximum(abs(a - 0.5), abs(b - 0.5)), kind="stable")
+    a, b = a[order, None], b[order, None]
+    middles = np.concatenate(
+        [
+            (1.0 - a) * ((1.0 - b) * low[0] + b * low[1]) + a * ((1.0 - b) * top[0] + b * top[1])
+            for low, top in fields
+        ]
+    )
+    sizes = _heights(height)
+    heights = np.repeat(sizes, len(middles))
+    places = np.tile(middles, (len(sizes), 1))
+    up = np.array([-reading[1], reading[0]])
+    corners = places - heights[:, None] * 0.5 * (wide * reading + high * up)
+    return Boxes(
+        corners, np.tile(reading, (len(heights), 1)), wide * heights, high * heights, heights
+    )
+
+
+def _heights(height: float) -> np.ndarray:
+    """Text heights to try, mm, rounded as they are written."""
+    return np.unique([round(max(SMALLEST_TEXT, height * part), 1) for part in _SIZES])[::-1]
+
+
+def _chords(start: np.ndarray, end: np.ndarray, bulge: float) -> np.ndarray:
+    """An arc as chords (k, 2, 2)."""
+    count = 1 + int(4.0 * abs(np.arctan(bulge)) / _CHORD)
+    if count == 1 or not bulge:
+        return np.array([[start, end]])
+    half = 0.5 * (end - start)
+    # A point of the arc by the tangent of a quarter of its angle from the start.
+    share = np.linspace(0.0, 1.0, count + 1)[1:-1]
+    angle = 4.0 * np.arctan(bulge)
+    radius = float(np.hypot(*half)) / abs(np.sin(0.5 * angle))
+    centre = start + half + np.array([-half[1], half[0]]) / np.tan(0.5 * angle)
+    first = np.arctan2(*(start - centre)[::-1])
+    turned = first + share * angle
+    inner = centre + radius * np.column_stack([np.cos(turned), np.sin(turned)])
+    points = np.concatenate([[start], inner, [end]])
+    return np.stack([points[:-1], points[1:]], axis=1)
+
+
+def _reaching(boxes: Boxes, lines: np.ndarray) -> np.ndarray:
+    """(k,) how many of the lines (m, 2, 2) reach into each box, its clearance included."""
+    if not len(lines):
+        return np.zeros(len(boxes.corners), int)
+    away = lines[None] - boxes.corners[:, None, None]
+    gap = (CLEARANCE * boxes.text)[:, None]
+    first, last = 0.0, 1.0
+    for axis, size in ((boxes.reading, boxes.widths), (boxes.up, boxes.heights)):
+        own = away[..., 0] * axis[:, None, None, 0] + away[..., 1] * axis[:, None, None, 1]
+        step = own[..., 1] - own[..., 0]
+        step = np.where(np.abs(step) < 1e-9, 1e-9, step)
+        enter, leave = (-gap - own[..., 0]) / step, (size[:, None] + gap - own[..., 0]) / step
+        first = np.maximum(first, np.minimum(enter, leave))
+        last = np.minimum(last, np.maximum(enter, leave))
+    return (first <= last).sum(axis=1)

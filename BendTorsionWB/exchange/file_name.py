@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Names that every file system takes as the name of one file in one folder."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+
+LONGEST = 80
+_REFUSED = re.compile(r'[\x00-\x1f\x7f<>:"/\\|?*#]')
+_DEVICE = re.compile(r"(con|prn|aux|nul|com[0-9¹²³]|lpt[0-9¹²³]|conin\$|conout\$)", re.IGNORECASE)
+
+
+def is_device(name: str) -> bool:
+    """Whether Windows takes a file of this name, whatever its ending, for a device."""
+    return bool(_DEVICE.fullmatch(name.partition(".")[0].strip()))
+
+
+def file_name(text: str) -> str:
+    """A text as the name of a file without its ending: what a file system would refuse or read as
+    a path is `_`, and it is cut to LONGEST characters. Texts that differ have names that differ:
+    one that is changed ends in six digits of its hash."""
+    name = _REFUSED.sub("_", text).strip(" .")[:LONGEST].strip(" .")
+    name = f"_{name}" if not name or is_device(name) else name
+    if name == text:
+        return name
+    digits = hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()[:6]
+    return f"{name}-{digits}"
