@@ -7,7 +7,7 @@ DEMO = build/concert_hall
 DATA = $(or $(XDG_DATA_HOME),$(HOME)/.local/share)
 MOD = $(or $(FREECAD_USER_HOME),$(DATA)/FreeCAD)/Mod
 
-.PHONY: demo test test-optional install lint format benchmark tutorial translations findings packages clean
+.PHONY: demo test test-optional install lint format benchmark tutorial translations findings check-structure release packages clean
 
 demo: packages  ## build the concert hall into build/concert_hall
 	@$(PYTHON) -m BendTorsionWB build $(EXAMPLE) --out $(DEMO)
@@ -61,6 +61,12 @@ tutorial: packages  ## work through the tutorial in FreeCAD's window and refresh
 
 translations:  ## bring the translations up to the sources; needs qttools5-dev-tools
 	@$(PYTHON) scripts/translations.py
+
+check-structure: packages  ## the layers and the page of findings, in seconds
+	@$(PYTHON) -m pytest -q tests/test_layers.py tests/test_findings_table.py
+
+release: packages  ## make the add-on archive and try it in a clean FreeCAD user folder
+	@$(PYTHON) scripts/release.py
 
 findings:  ## write docs/findings.md: every finding with what mends it
 	@$(PYTHON) scripts/findings_table.py

@@ -109,6 +109,12 @@ def _parser() -> argparse.ArgumentParser:
         *(_source, _only, _jobs, _report),
     )
     command("new", _new, "start a document from a template", _template)
+    command(
+        "support",
+        _support,
+        "collect what a report of a fault needs, without names of users and folders",
+        *(_any_source, _bundle),
+    )
     command("check", _check, "check a schedule, write nothing", _schedule, _only, _jobs)
     return parser
 
@@ -175,6 +181,16 @@ def _document(command) -> None:
 
 def _source(command) -> None:
     command.add_argument("source", help="a schedule or a FreeCAD document (.FCStd)")
+
+
+def _any_source(command) -> None:
+    command.add_argument(
+        "source", nargs="?", default="", help="the schedule or document (.FCStd) it happens with"
+    )
+
+
+def _bundle(command) -> None:
+    command.add_argument("--out", required=True, metavar="FILE", help="the bundle (.zip)")
 
 
 def _template(command) -> None:
@@ -312,6 +328,15 @@ def _report_of(options) -> int:
         for line in report.summary_lines(records, findings):
             print(line)
     return FAILED if any(finding.severity == "error" for finding in findings) else GOOD
+
+
+def _support(options) -> int:
+    from BendTorsionWB.support import write_bundle
+
+    names = write_bundle(options.out, options.source)
+    if not options.quiet:
+        print(f"{options.out}: {', '.join(names)}; read them before you send them")
+    return GOOD
 
 
 def _new(options) -> int:

@@ -46,7 +46,8 @@ BELOW = {
     "document_templates": ("make", "exchange"),
     "console": ("core",),
     "gui": ("round_trip", "document_export", "document_templates"),
-    "__main__": ("round_trip", "document_export", "document_templates", "console"),
+    "support": ("round_trip", "document_export"),
+    "__main__": ("support", "round_trip", "document_export", "document_templates", "console"),
 }
 EVERYWHERE = ("", "freecad_path")  # the package itself holds the version only
 # The rooms of core, each using those before it only.

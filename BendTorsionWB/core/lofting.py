@@ -284,6 +284,14 @@ class DevelopedPlate:
     chamfers: tuple[Chamfer | None, Chamfer | None] = (None, None)
     bevels: tuple[EdgeBevel, ...] = ()
     contour: str = "mid"
+    flattened_surface: str = "mid"
+
+    @property
+    def contour_face(self) -> str:
+        """The face the contour of cut files is of: `top` (the marking face), `root`, `widest`, else
+        the surface laid flat, `mid`, `inner` or `outer`."""
+        return self.flattened_surface if self.contour == "mid" else self.contour
+
     ends: tuple[tuple[EndPart, ...], tuple[EndPart, ...]] = ((), ())
     welded: tuple[WeldedSide, ...] = ()
 

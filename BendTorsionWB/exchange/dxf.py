@@ -3,14 +3,12 @@
 
 from __future__ import annotations
 
-import io
 import math
 import os
 from collections.abc import Mapping
+from typing import NamedTuple
 
-import ezdxf
 import numpy as np
-from ezdxf.document import Drawing
 from ezdxf.lldxf.validator import is_valid_layer_name
 
 from ..core.finding import BendTorsionError, error
@@ -20,17 +18,12 @@ from ..core.patterns.cut_contour import cut_contour
 from ..core.patterns.forming import fold_direction
 from ..core.patterns.gross import marked_ends
 from ..core.patterns.inner_contours import text_field
-from .collection import without_collection
 from .dxf_bevels import add_bevel_texts
-from .dxf_inner import add_face_marks, add_holes, add_level_text, clear_fields
-from .dxf_text import (
-    CHARACTER_WIDTH,
-    SMALLEST_TEXT,
-    add_line_text,
-    add_text,
-    figure,
-    place,
-)
+from .dxf_file import Layer, Space, dxf_bytes
+from .dxf_inner import add_face_marks, add_face_texts, add_holes, clear_fields
+from .dxf_labels import CHARACTER_WIDTH, SMALLEST_TEXT
+from .dxf_text import LINE_PITCH, Pattern
+from .plate_words import identity
 from .whole_file import write_whole
 
 CUT_OUTER = "CUT_OUTER"
@@ -65,9 +58,7 @@ MARK_GAP = 5.0
 TEXT_HEIGHT = 25.0
 """mm; height of marking text where the plate leaves room for it."""
 
-_LINE_PITCH = 1.6  # distance of text lines over their height
 _SAME_PLACE = 0.01  # mm; lines and points closer than this are one
-_DASHED = [18.0, 12.0, -6.0]  # mm: pattern length, dash, gap
 
 
 def write_plate_dxf(
@@ -95,43 +86,53 @@ def plate_dxf(
     names = _layer_names(layers)
     plate = cut_contour(plate).plate
     outline = fit_outline(plate.outline, tolerance, plate.mark)
-    with without_collection():
-        document = new_document(names, outline[:, :2])
-        draw_plate(document.modelspace(), plate, outline, names, tolerance)
-        return document_bytes(document)
+    corners = np.array([[0.0, 0.0], [plate.length, plate.width]])
+    return dxf_bytes(layers_of(names), corners, draw_plate(plate, outline, names, tolerance))
+
+
+def layers_of(names: Mapping[str, str]) -> tuple[Layer, ...]:
+    """The layers of a file; names: as `LAYERS`."""
+    return tuple(Layer(names[key], *own) for key, own in _LAYERS.items())
 
 
 def draw_plate(
-    space,
     plate: DevelopedPlate,
     outline: np.ndarray,
     names: Mapping[str, str] = LAYERS,
     tolerance: float = FIT_TOLERANCE,
-) -> None:
-    """Draw a plate as it is cut, its outline fitted by arcs (m, 3), into a layout or a block."""
-    # Rounding to 1e-6 mm keeps last-bit differences between machines out of the file.
-    space.add_lwpolyline(
-        [(figure(x), figure(y), round(float(b), 12) + 0.0) for x, y, b in outline],
-        format="xyb",
-        close=True,
-        dxfattribs={"layer": names[CUT_OUTER]},
-    )
+) -> Space:
+    """The entities of a plate as it is cut, its outline fitted by arcs (m, 3)."""
+    drawn = Pattern(Space())
+    drawn.arcs(outline, names[CUT_OUTER])
+    add_holes(drawn, plate, names[CUT_INNER], tolerance)
+    lines = _add_lines(drawn, plate, names)
+    rolls = _add_roll_lines(drawn, plate, names[MARK_ROLL])
+    _add_points(drawn.space, plate, names)
+    add_face_marks(drawn, plate, names[MARK_LINE], names[PUNCH], tolerance)
+    # Texts last, the large ones first: each takes what room the lines and other texts leave.
+    centre, layer = _centre(plate), names[MARK_TEXT]
     panels = clear_fields(plate, _panels(plate))
     height = _text_height(plate, panels)
-    _add_lines(space, plate, names, height)
-    _add_roll_lines(space, plate, names, height)
-    _add_points(space, plate, names)
-    add_bevel_texts(space, plate, names[MARK_BEVEL], _centre(plate), height)
-    add_holes(space, plate, names[CUT_INNER], tolerance)
-    layers = names[MARK_LINE], names[MARK_TEXT], names[PUNCH]
-    add_face_marks(space, plate, layers, _centre(plate), height, tolerance)
     if panels:
-        _add_marks(space, plate, panels, names, height)
+        _add_identity(drawn, plate, panels, layer, height)
     else:
-        field, rows = text_field(plate), _identity(plate)
-        level = round(max(SMALLEST_TEXT, _text_fit(field, rows)[0]), 1)
-        middle = 0.5 * (field[0].mean(axis=0) + field[1].mean(axis=0))
-        add_level_text(space, rows, middle, level, _LINE_PITCH, names[MARK_TEXT])
+        _add_flat_identity(drawn, plate, layer)
+    add_face_texts(drawn, plate, centre, height, layer)
+    for text, line, own_layer, at in lines:
+        drawn.line_text(text, line, centre, height, own_layer, at)
+    add_bevel_texts(drawn, plate, names[MARK_BEVEL], centre, height)
+    for text, line, own_layer, at in rolls:
+        drawn.line_text(text, line, centre, 0.5 * height, own_layer, at)
+    return drawn.space
+
+
+class _Label(NamedTuple):
+    """A text beside a line (2, 2), from the part `at` of it on."""
+
+    text: str
+    line: np.ndarray
+    layer: str
+    at: float
 
 
 def _layer_names(layers: Mapping[str, str]) -> dict[str, str]:
@@ -152,86 +153,44 @@ def _layer_names(layers: Mapping[str, str]) -> dict[str, str]:
     return names
 
 
-def new_document(names: Mapping[str, str], corners: np.ndarray) -> Drawing:
-    """A document with our layers and units, showing all corners (n, 2)."""
-    document = ezdxf.new("R2010")
-    header = document.header
-    header["$INSUNITS"] = 4
-    header["$MEASUREMENT"] = 1
-    header["$LUNITS"] = 2
-    header["$PDMODE"] = 2
-    header["$PDSIZE"] = 10.0
-    document.linetypes.add("DASHED", pattern=_DASHED, description="Dashed __ __ __ __")
-    for key, (colour, linetype, description) in _LAYERS.items():
-        layer = document.layers.add(names[key], color=colour, linetype=linetype)
-        layer.description = description
-    low, high = corners.min(axis=0), corners.max(axis=0)
-    space = document.modelspace()
-    space.dxf.extmin = (figure(low[0]), figure(low[1]), 0.0)
-    space.dxf.extmax = (figure(high[0]), figure(high[1]), 0.0)
-    space.dxf.limmin, space.dxf.limmax = place(low), place(high)
-    document.set_modelspace_vport(
-        1.1 * max(float(high[1] - low[1]), float(high[0] - low[0]) / 2.0, 1.0),
-        tuple(figure(value) for value in (low + high) / 2.0),
-    )
-    return document
-
-
-def document_bytes(document: Drawing) -> bytes:
-    """The document's text without time stamps and unique identifiers."""
-    document.ezdxf_metadata()["CREATED_BY_EZDXF"] = ezdxf.__version__
-    # ezdxf declares the types in use in the order of a set, another one in every process.
-    for name in sorted(document.entitydb.dxf_types_in_use()):
-        document.classes.add_class(name)
-    stream = io.StringIO()
-    before = ezdxf.options.write_fixed_meta_data_for_testing
-    ezdxf.options.write_fixed_meta_data_for_testing = True
-    try:
-        document.write(stream)
-    finally:
-        ezdxf.options.write_fixed_meta_data_for_testing = before
-    return document.encode(stream.getvalue())
-
-
 def _on_contour(plate: DevelopedPlate, line: str) -> bool:
     """Whether a line is an end line without green beyond it."""
     return line.startswith("E-") and line not in marked_ends(plate)
 
 
-def _add_lines(space, plate: DevelopedPlate, names: Mapping[str, str], height: float) -> None:
+def _add_lines(drawn: Pattern, plate: DevelopedPlate, names: Mapping[str, str]) -> list[_Label]:
+    """Draw measuring lines and folds; their labels, those of folds first."""
     ends = [line for line in plate.lines if _on_contour(plate, line.label)]
     stations = [line for line in plate.lines if not _on_contour(plate, line.label)]
     # In the order of precedence: what lies on the contour or on a fold is not drawn again.
     marks = [*ends, *plate.folds, *stations]
     flats = np.array([mark.flat for mark in marks]).reshape(-1, 2, 2)
     fresh = _first_of_their_place(flats.reshape(-1, 4))
-    centre = _centre(plate)
+    folds = {fold.label for fold in plate.folds}  # these carry their own text
+    labels = []
     for mark, is_fresh in zip(marks[len(ends) :], fresh[len(ends) :]):
-        if not is_fresh:
-            continue
         is_fold = isinstance(mark, FoldLine)
-        attributes = {"layer": names[MARK_FOLD if is_fold else MARK_LINE]}
-        a, b = _shortened(mark.flat)
-        space.add_line(place(a), place(b), dxfattribs=attributes)
-        if is_fold:
+        if is_fresh:
+            a, b = _shortened(mark.flat)
+            drawn.line(a, b, names[MARK_FOLD if is_fold else MARK_LINE])
+        if is_fold and is_fresh:
             way = fold_direction(mark.angle, plate.marking_face)
             text = f"{mark.label} {abs(math.degrees(mark.angle)):.1f} deg {way}"
-            middle = 0.5 * (mark.flat[0] + mark.flat[1])
-            add_line_text(space, text, middle, mark.flat[1], centre, height, attributes)
+            labels.append(_Label(text, mark.flat, names[MARK_FOLD], 0.5))
+        elif not is_fold and mark.label not in folds:
+            labels.append(_Label(mark.label, mark.flat, names[MARK_TEXT], 0.2))
+    return labels
 
 
-def _add_roll_lines(space, plate: DevelopedPlate, names: Mapping[str, str], height: float) -> None:
-    """Roll lines with their radii; text is half the height of other marks."""
+def _add_roll_lines(drawn: Pattern, plate: DevelopedPlate, layer: str) -> list[_Label]:
+    """Draw roll lines; their radii as labels."""
     rolls = () if plate.forming_data is None else plate.forming_data.roll_lines
-    attributes, centre = {"layer": names[MARK_ROLL]}, _centre(plate)
     for roll in rolls:
-        a, b = _shortened(roll.flat)
-        space.add_line(place(a), place(b), dxfattribs=attributes)
-        middle = 0.5 * (roll.flat[0] + roll.flat[1])
-        add_line_text(space, roll.text(), middle, roll.flat[1], centre, 0.5 * height, attributes)
+        drawn.line(*_shortened(roll.flat), layer)
+    return [_Label(roll.text(), roll.flat, layer, 0.5) for roll in rolls]
 
 
-def _add_points(space, plate: DevelopedPlate, names: Mapping[str, str]) -> None:
+def _add_points(space: Space, plate: DevelopedPlate, names: Mapping[str, str]) -> None:
     for kind, layer in (("witness", PUNCH), ("arris", REF)):
         points = [
             point.flat
@@ -241,37 +200,23 @@ def _add_points(space, plate: DevelopedPlate, names: Mapping[str, str]) -> None:
         ]
         flats = np.array(points).reshape(-1, 2)
         for flat in flats[_first_of_their_place(flats)]:
-            space.add_point(place(flat), dxfattribs={"layer": names[layer]})
+            space.add_point(flat, names[layer])
 
 
-def _add_marks(
-    space,
-    plate: DevelopedPlate,
-    panels: list[tuple[np.ndarray, np.ndarray]],
-    names: Mapping[str, str],
-    height: float,
-) -> None:
-    """The plate's identity and direction in its longest panel, and the labels of its lines."""
-    attributes = {"layer": names[MARK_TEXT]}
-    panel = _text_panel(panels)
+def _add_identity(drawn: Pattern, plate: DevelopedPlate, panels: list, layer: str, height: float):
+    """The plate's identity and its direction, in one of its longest panels."""
+    panel = _longest(panels)[0]
     foot, head = panel[0].mean(axis=0), panel[1].mean(axis=0)
     forward = (head - foot) / np.hypot(*(head - foot))
-    middle = 0.5 * (foot + head)
-    rows = _identity(plate)
+    rows = identity(plate)
     reads_along = _text_fit(panel, rows)[1]
     # Text reads from left to right or upwards in the pattern; the arrow alone tells where +s is.
     reading = forward if reads_along else np.array([-forward[1], forward[0]])
     if reading[0 if reads_along else 1] < 0.0:
         reading = -reading
-    up = np.array([-reading[1], reading[0]])
-    pitch = _LINE_PITCH * height
-    half = 0.5 * max(map(len, rows)) * CHARACTER_WIDTH * height
-    for row, text in enumerate(rows):
-        rise = (0.5 * len(rows) - row) * pitch
-        corner = middle + rise * up - half * reading - 0.5 * height * up
-        add_text(space, text, corner, reading, height, attributes)
+    wide = max(map(len, rows)) * CHARACTER_WIDTH
+    level, up, height = drawn.block(rows, wide, height, reading, _longest(panels), layer, below=1)
     # The arrow takes the row below the text, and its name stands after it.
-    level = middle - 0.5 * len(rows) * pitch * up
     reach = 2.0 * height if reads_along else 0.6 * height
     tip = level + reach * forward
     barb = (0.8 if reads_along else 0.4) * height * forward
@@ -281,29 +226,17 @@ def _add_marks(
         (tip, tip - barb + side),
         (tip, tip - barb - side),
     ):
-        space.add_line(place(a), place(b), dxfattribs=attributes)
+        drawn.space.add_line(a, b, layer)
     corner = level + (2.6 if reads_along else 0.8) * height * reading - 0.5 * height * up
-    add_text(space, "+s", corner, reading, height, attributes)
-    folds = {fold.label for fold in plate.folds}  # these carry their own text
-    centre = _centre(plate)
-    for line in plate.lines:
-        if _on_contour(plate, line.label) or line.label in folds:
-            continue
-        first, second = line.flat
-        fifth = first + 0.2 * (second - first)
-        add_line_text(space, line.label, fifth, second, centre, height, attributes)
+    drawn.space.add_text("+s", corner, reading, height, layer)
 
 
-def _identity(plate: DevelopedPlate) -> tuple[str, ...]:
-    up = plate.marking_face.upper()
-    down = {"INSIDE": "OUTSIDE", "OUTSIDE": "INSIDE"}.get(up, "-S")
-    return (
-        plate.mark,
-        f"{plate.member} {plate.face} {plate.piece}",
-        f"t{plate.thickness:g} {plate.material}",
-        f"marking face {up}",
-        f"{down} below, contour {plate.contour.upper()}",
-    )
+def _add_flat_identity(drawn: Pattern, plate: DevelopedPlate, layer: str) -> None:
+    """The identity of a flat part, level, where it has most room."""
+    field, rows = text_field(plate), identity(plate)
+    height = round(max(SMALLEST_TEXT, _text_fit(field, rows)[0]), 1)
+    wide = max(map(len, rows)) * CHARACTER_WIDTH
+    drawn.block(rows, wide, height, np.array([1.0, 0.0]), [field], layer)
 
 
 def _panels(plate: DevelopedPlate) -> list[tuple[np.ndarray, np.ndarray]]:
@@ -330,17 +263,18 @@ def _field_size(panel: tuple[np.ndarray, np.ndarray]) -> tuple[float, float]:
     return float(length), float(min(np.hypot(*(a[1] - a[0])), np.hypot(*(b[1] - b[0]))))
 
 
-def _text_panel(panels: list[tuple[np.ndarray, np.ndarray]]) -> tuple[np.ndarray, np.ndarray]:
+def _longest(panels: list[tuple[np.ndarray, np.ndarray]]) -> list[tuple[np.ndarray, np.ndarray]]:
+    """Up to three long panels, first those in order whose lengths differ in their last bits."""
     lengths = [_field_size(panel)[0] for panel in panels]
-    # The first of the long ones: equal lengths may differ in their last bits.
-    return panels[next(i for i, length in enumerate(lengths) if length >= max(lengths) - 1.0)]
+    order = sorted(range(len(panels)), key=lambda k: (round(max(lengths) - lengths[k]), k))
+    return [panels[k] for k in order[:3]]
 
 
 def _text_height(plate: DevelopedPlate, panels: list[tuple[np.ndarray, np.ndarray]]) -> float:
     """Height at which the identity fits into its field, mm."""
     if not panels:
         return SMALLEST_TEXT
-    fitting, _ = _text_fit(_text_panel(panels), _identity(plate))
+    fitting, _ = _text_fit(_longest(panels)[0], identity(plate))
     return round(max(SMALLEST_TEXT, fitting), 1)
 
 
@@ -348,7 +282,7 @@ def _text_fit(panel: tuple[np.ndarray, np.ndarray], rows: tuple[str, ...]) -> tu
     """Height, mm, at which rows and arrow fit into the field, and whether they read along +s."""
     length, width = _field_size(panel)
     text_length = max(8, *map(len, rows)) * CHARACTER_WIDTH
-    text_depth = (len(rows) + 1) * _LINE_PITCH
+    text_depth = (len(rows) + 1) * LINE_PITCH
     along = min(TEXT_HEIGHT, 0.8 * length / text_length, 0.6 * width / text_depth)
     across = min(TEXT_HEIGHT, 0.6 * width / text_length, 0.8 * length / text_depth)
     # Across the plate only where that makes the text much larger: short plates.

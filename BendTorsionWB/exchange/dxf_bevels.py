@@ -9,7 +9,8 @@ import numpy as np
 
 from ..core.lofting import DevelopedPlate
 from ..core.welds.bevel_record import EdgeBevel
-from .dxf_text import CHARACTER_WIDTH, SMALLEST_TEXT, add_text
+from .dxf_labels import CHARACTER_WIDTH, SMALLEST_TEXT, Boxes
+from .dxf_text import Pattern
 
 _INSET = 12.0
 """mm; the text stands this far inside the edge."""
@@ -30,7 +31,9 @@ def bevel_text(bevel: EdgeBevel, marking_face: str, thickness: float) -> str:
     return f"{angles} deg {ways}" + (f" land {land:g}" if land > 0.05 else "")
 
 
-def add_bevel_texts(space, plate: DevelopedPlate, layer: str, centre, height: float) -> None:
+def add_bevel_texts(
+    drawn: Pattern, plate: DevelopedPlate, layer: str, centre, height: float
+) -> None:
     """The texts, each along its stretch of the edge, half the height of other marks."""
     for bevel in plate.bevels:
         ends = _place(plate, bevel)
@@ -38,24 +41,38 @@ def add_bevel_texts(space, plate: DevelopedPlate, layer: str, centre, height: fl
         reach = float(np.hypot(*way))
         if reach < 1.0:
             continue
-        inward = np.array([-way[1], way[0]]) / reach
+        way = way / reach
+        inward = np.array([-way[1], way[0]])
         if float(((centre - ends[0]) * inward).sum()) < 0.0:
             inward = -inward
-        middle = 0.5 * (ends[0] + ends[1])
         text = bevel_text(bevel, plate.marking_face, plate.thickness)
-        letters = len(text) * CHARACTER_WIDTH
-        size = min(0.5 * height, 0.7 * reach / letters)
-        reading = way / reach
-        if size < SMALLEST_TEXT:
-            # Beside a short stretch the text runs into the plate.
-            size, reading = SMALLEST_TEXT, inward
-            middle = middle + 0.5 * letters * size * inward
-        size = round(size, 1)
-        if reading[0] < -1e-6 or (reading[0] < 1e-6 and reading[1] < 0.0):
-            reading = -reading
-        up = np.array([-reading[1], reading[0]])
-        corner = middle + _INSET * inward - 0.5 * letters * size * reading - 0.5 * size * up
-        add_text(space, text, corner, reading, size, {"layer": layer})
+        drawn.text(text, _boxes(len(text), ends[0], way, reach, inward, 0.5 * height), layer)
+
+
+_STEPS = np.array([0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9])
+
+
+def _boxes(letters: int, start, way, reach: float, inward, height: float) -> Boxes:
+    """Places of a text of so many letters beside a stretch of an edge, its middle wanted first."""
+    letters *= CHARACTER_WIDTH
+    size = min(height, 0.7 * reach / letters)
+    beside = size >= SMALLEST_TEXT
+    # Beside a short stretch the text runs into the plate.
+    sizes = np.unique([round(max(SMALLEST_TEXT, size * part), 1) for part in (1.0, 0.7)])[::-1]
+    size, step = (grid.ravel() for grid in np.meshgrid(sizes, _STEPS, indexing="ij"))
+    middles = start + (step * reach)[:, None] * way + _INSET * inward
+    if beside:
+        room = (step == 0.5) | (np.minimum(step, 1.0 - step) * reach >= 0.5 * letters * size)
+        size, middles = size[room], middles[room]
+        reading = way
+    else:
+        middles = middles + (0.5 * letters * size)[:, None] * inward
+        reading = inward
+    if reading[0] < -1e-6 or (reading[0] < 1e-6 and reading[1] < 0.0):
+        reading = -reading
+    up = np.array([-reading[1], reading[0]])
+    corners = middles - (0.5 * letters * size)[:, None] * reading - (0.5 * size)[:, None] * up
+    return Boxes(corners, np.tile(reading, (len(size), 1)), letters * size, size, size)
 
 
 def _place(plate: DevelopedPlate, bevel: EdgeBevel) -> np.ndarray:

@@ -67,7 +67,9 @@ class Space:
         printable = "".join(letter if letter.isprintable() else " " for letter in text)
         angle = round(math.degrees(math.atan2(reading[1], reading[0])), _DECIMALS) + 0.0
         turn = f" 50\n{angle}\n" if angle else ""
-        body = f"100\nAcDbText\n{_xyz(corner)} 40\n{height}\n  1\n{printable}\n{turn}100\nAcDbText\n"
+        body = (
+            f"100\nAcDbText\n{_xyz(corner)} 40\n{height}\n  1\n{printable}\n{turn}100\nAcDbText\n"
+        )
         self.entities.append(("TEXT", layer, body))
 
     def add_block(self, name: str, at) -> None:

@@ -57,14 +57,16 @@ class Room:
         """Number of the first box that nothing reaches into, else of the one fewest lines do; it
         is taken from then on."""
         lines = np.concatenate(self.parts) if self.parts else np.zeros((0, 2, 2))
-        hits = _reaching(boxes, lines)
-        chosen = int(np.argmin(hits))
-        corner, reading = boxes.corners[chosen], boxes.reading[chosen]
-        across = boxes.widths[chosen] * reading
-        rise = boxes.heights[chosen] * boxes.up[chosen]
-        ring = np.array([corner, corner + across, corner + across + rise, corner + rise])
-        sides = np.stack([ring, np.roll(ring, -1, axis=0)], axis=1)
-        self.add_lines(np.concatenate([sides, ring[[[0, 2], [1, 3]]]]))
+        # Mostly the first is free: the others are many.
+        chosen = 0
+        if _reaching(boxes, lines, slice(0, 1))[0]:
+            chosen = int(np.argmin(_reaching(boxes, lines, slice(None))))
+        corner, reading, up = boxes.corners[chosen], boxes.reading[chosen], boxes.up[chosen]
+        high = float(boxes.heights[chosen])
+        # Lines along it, close enough that no other text finds room between them.
+        rises = np.linspace(0.0, high, 1 + max(1, round(high / float(boxes.text[chosen]))))
+        feet = corner + rises[:, None] * up
+        self.add_lines(np.stack([feet, feet + boxes.widths[chosen] * reading], axis=1))
         return chosen
 
 
@@ -80,26 +82,18 @@ def along(
     way = across / length
     reading = way if way[1] > 0.0 or (way[1] == 0.0 and way[0] > 0.0) else -way
     left = np.array([-reading[1], reading[0]])
-    here = 1 if float(((centre - start) * left).sum()) > -0.01 else -1
-    corners, heights = [], []
-    for size in sizes:
-        wide = len(text) * CHARACTER_WIDTH * size
-        for side in (here, -here):
-            for step in _STARTS:
-                first = (at + step) * length
-                if not 0.0 <= first <= length - wide and step:
-                    continue
-                foot = start + (first if reading is way else first + wide) * way
-                corners.append(foot + (0.4 if side > 0 else -1.4) * size * left)
-                heights.append(size)
-    heights = np.array(heights)
-    return Boxes(
-        np.array(corners),
-        np.tile(reading, (len(heights), 1)),
-        len(text) * CHARACTER_WIDTH * heights,
-        heights,
-        heights,
+    here = 1.0 if float(((centre - start) * left).sum()) > -0.01 else -1.0
+    size, side, step = (
+        grid.ravel() for grid in np.meshgrid(sizes, [here, -here], _STARTS, indexing="ij")
     )
+    wide = len(text) * CHARACTER_WIDTH * size
+    first = (at + step) * length
+    may = (step == 0.0) | ((first >= 0.0) & (first <= length - wide))
+    size, side, first, wide = size[may], side[may], first[may], wide[may]
+    foot = first if reading is way else first + wide
+    beside = np.where(side > 0.0, 0.4, -1.4) * size
+    corners = start + foot[:, None] * way + beside[:, None] * left
+    return Boxes(corners, np.tile(reading, (len(size), 1)), wide, size, size)
 
 
 def blocks(
@@ -154,18 +148,16 @@ def _chords(start: np.ndarray, end: np.ndarray, bulge: float) -> np.ndarray:
     return np.stack([points[:-1], points[1:]], axis=1)
 
 
-def _reaching(boxes: Boxes, lines: np.ndarray) -> np.ndarray:
-    """(k,) how many of the lines (m, 2, 2) reach into each box, its clearance included."""
-    if not len(lines):
-        return np.zeros(len(boxes.corners), int)
-    away = lines[None] - boxes.corners[:, None, None]
-    gap = (CLEARANCE * boxes.text)[:, None]
+def _reaching(boxes: Boxes, lines: np.ndarray, which: slice) -> np.ndarray:
+    """(k,) how many of the lines (m, 2, 2) reach into each of the boxes, clearance included."""
+    away = lines[None] - boxes.corners[which, None, None]
+    gap = (CLEARANCE * boxes.text[which])[:, None]
     first, last = 0.0, 1.0
     for axis, size in ((boxes.reading, boxes.widths), (boxes.up, boxes.heights)):
-        own = away[..., 0] * axis[:, None, None, 0] + away[..., 1] * axis[:, None, None, 1]
+        own = away[..., 0] * axis[which, None, None, 0] + away[..., 1] * axis[which, None, None, 1]
         step = own[..., 1] - own[..., 0]
         step = np.where(np.abs(step) < 1e-9, 1e-9, step)
-        enter, leave = (-gap - own[..., 0]) / step, (size[:, None] + gap - own[..., 0]) / step
+        enter, leave = (-gap - own[..., 0]) / step, (size[which, None] + gap - own[..., 0]) / step
         first = np.maximum(first, np.minimum(enter, leave))
         last = np.minimum(last, np.maximum(enter, leave))
     return (first <= last).sum(axis=1)

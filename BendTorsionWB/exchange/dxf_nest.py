@@ -11,8 +11,8 @@ import numpy as np
 from ..core.geometry.arc_fit import fit_outline
 from ..core.lofting import DevelopedPlate, MemberRecord
 from ..core.patterns.cut_contour import cut_contour
-from .dxf import LAYERS, document_bytes, draw_plate, new_document
-from .dxf_text import place
+from .dxf import LAYERS, draw_plate, layers_of
+from .dxf_file import Space, dxf_bytes
 
 GAP = 100.0
 """mm; distance of the plates."""
@@ -43,14 +43,15 @@ def nest_dxf(plates: Sequence[DevelopedPlate]) -> bytes:
     cuts = [cut_contour(plate).plate for plate in plates]
     sizes = np.array([[cut.length, cut.width] for cut in cuts])
     places = shelves(sizes)
-    document = new_document(LAYERS, np.concatenate([places, places + sizes]))
-    space = document.modelspace()
+    model, blocks = Space(), {}
     for cut, corner in zip(cuts, places, strict=True):
         name = _REFUSED.sub("_", cut.mark)
-        block = document.blocks.new(name)
-        draw_plate(block, cut, fit_outline(cut.outline, name=cut.mark))
-        space.add_blockref(name, place(corner))
-    return document_bytes(document)
+        while name in blocks:
+            name += "_"
+        blocks[name] = draw_plate(cut, fit_outline(cut.outline, name=cut.mark))
+        model.add_block(name, corner)
+    corners = np.concatenate([places, places + sizes])
+    return dxf_bytes(layers_of(LAYERS), corners, model, blocks)
 
 
 def shelves(sizes: np.ndarray) -> np.ndarray:

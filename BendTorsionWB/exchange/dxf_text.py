@@ -1,61 +1,62 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Coordinates and texts as they are written to DXF files."""
+"""Texts of flat patterns, each where there is room for it."""
 
 from __future__ import annotations
 
-import math
+from dataclasses import dataclass, field
 
 import numpy as np
 
-SMALLEST_TEXT = 2.5  # mm; below this no plotter marks legibly
-CHARACTER_WIDTH = 1.0  # width over height of a letter, on the safe side
-_DECIMALS = 6  # of coordinates, mm
-_SAME_PLACE = 0.01  # mm; what is no farther off a line is on it
+from .dxf_file import Space
+from .dxf_labels import Boxes, Room, along, blocks
+
+LINE_PITCH = 1.6
+"""Distance of text lines over their height."""
 
 
-def add_line_text(
-    space,
-    text: str,
-    start: np.ndarray,
-    end: np.ndarray,
-    centre: np.ndarray,
-    height: float,
-    attributes: dict,
-) -> None:
-    """Text along a line from `start` towards `end`, beside it on the side of the plate's centre."""
-    across = end - start
-    length = np.hypot(*across)
-    fitting = 0.8 * length / (len(text) * CHARACTER_WIDTH)
-    height = round(max(SMALLEST_TEXT, min(height, fitting)), 1)
-    along = across / length
-    reading = along if along[1] > 0.0 or (along[1] == 0.0 and along[0] > 0.0) else -along
-    corner = start if reading is along else start + len(text) * CHARACTER_WIDTH * height * along
-    left = np.array([-reading[1], reading[0]])
-    beside = 0.4 if (centre - start) @ left > -_SAME_PLACE else -1.4
-    add_text(space, text, corner + beside * height * left, reading, height, attributes)
+@dataclass
+class Pattern:
+    """A flat pattern as it is drawn: its entities and the room left for texts."""
 
+    space: Space
+    room: Room = field(default_factory=Room)
 
-def add_text(
-    space, text: str, corner: np.ndarray, reading: np.ndarray, height: float, attributes: dict
-) -> None:
-    """One line of text from its lower left corner along `reading`, a unit vector."""
-    printable = "".join(character if character.isprintable() else " " for character in text)
-    space.add_text(
-        printable,
-        dxfattribs={
-            **attributes,
-            "height": height,
-            "rotation": round(math.degrees(math.atan2(reading[1], reading[0])), _DECIMALS) + 0.0,
-            "insert": place(corner),
-        },
-    )
+    def line(self, start, end, layer: str) -> None:
+        """A straight line texts keep clear of."""
+        self.space.add_line(start, end, layer)
+        self.room.add_lines(np.array([[start, end]]))
 
+    def arcs(self, arcs: np.ndarray, layer: str, close: bool = True) -> None:
+        """A polyline of arcs (m, 3) texts keep clear of; a single chord is a line."""
+        if len(arcs) == 2 and not arcs[:, 2].any():
+            self.line(arcs[0, :2], arcs[1, :2], layer)
+            return
+        self.space.add_polyline(arcs, layer, close)
+        self.room.add_contour(arcs, close)
 
-def place(flat: np.ndarray) -> tuple[float, float]:
-    """A point as written."""
-    return figure(flat[0]), figure(flat[1])
+    def text(self, text: str, boxes: Boxes, layer: str) -> None:
+        """A text in the first of the boxes with room, else where it disturbs least."""
+        if not text:
+            return
+        k = self.room.clear(boxes)
+        height = float(boxes.text[k])
+        self.space.add_text(text, boxes.corners[k], boxes.reading[k], height, layer)
 
+    def line_text(self, text: str, line, centre, height: float, layer: str, at: float) -> None:
+        """Text beside a line (2, 2), beginning at the part `at` of it, on the side of `centre`."""
+        if text:
+            self.text(text, along(text, line[0], line[1], centre, height, at), layer)
 
-def figure(value: float) -> float:
-    """A coordinate as written; adding zero turns -0.0 into 0.0."""
-    return round(float(value), _DECIMALS) + 0.0
+    def block(self, rows, wide: float, height: float, reading, fields, layer: str, below: int = 0):
+        """Rows of text, `below` rows left free under them. Returns the middle of the first row
+        below, the direction up, and the height of the text."""
+        high = (len(rows) + below) * LINE_PITCH
+        boxes = blocks(wide, high, height, reading, fields)
+        k = self.room.clear(boxes)
+        size, up, corner = float(boxes.text[k]), boxes.up[k], boxes.corners[k]
+        pitch = LINE_PITCH * size
+        for row, text in enumerate(rows):
+            rise = (len(rows) + below - row - 0.8) * pitch
+            self.space.add_text(text, corner + rise * up, reading, size, layer)
+        middle = corner + 0.5 * boxes.widths[k] * reading + 0.5 * pitch * up
+        return middle, up, size

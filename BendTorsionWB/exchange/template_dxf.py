@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from ..core.beds.bed_record import Template
-from .dxf import CUT_OUTER, LAYERS, MARK_LINE, MARK_TEXT, document_bytes, new_document
-from .dxf_text import place
+from .dxf import CUT_OUTER, LAYERS, MARK_LINE, MARK_TEXT, layers_of
+from .dxf_file import Space, dxf_bytes
 
 MARK_GAP = 5.0
 """mm; centre lines stop this far before the contour."""
@@ -16,37 +18,25 @@ def template_dxf(board: Template) -> bytes:
     bounding box at (0, 0). Layers and settings are those of plates."""
     outline = board.outline - board.outline.min(axis=0)
     width, height = outline.max(axis=0)
-    document = new_document(LAYERS, outline)
-    space = document.modelspace()
-    space.add_lwpolyline(
-        [place(point) for point in outline], close=True, dxfattribs={"layer": LAYERS[CUT_OUTER]}
-    )
+    space = Space()
+    space.add_polyline(np.column_stack([outline, np.zeros(len(outline))]), LAYERS[CUT_OUTER])
     for a, b in centre_lines(outline):
-        space.add_line(place(a), place(b), dxfattribs={"layer": LAYERS[MARK_LINE]})
-    attributes = {"layer": LAYERS[MARK_TEXT]}
+        space.add_line(a, b, LAYERS[MARK_LINE])
+    layer = LAYERS[MARK_TEXT]
     size = min(25.0, width / 14.0, height / 14.0)
     rows = (board.name, f"{board.member} {board.line}  s {board.s:.1f}", "seen along +s")
     for k, text in enumerate(rows):
         corner = (0.08 * width, 0.5 * height - (2.0 + 1.8 * k) * size)
-        space.add_text(
-            text, dxfattribs={**attributes, "height": round(size, 2), "insert": place(corner)}
-        )
+        space.add_text(text, corner, (1.0, 0.0), round(size, 2), layer)
     foot, tip = (0.75 * width, 0.58 * height), (0.75 * width, 0.58 * height + 6.0 * size)
     for a, b in (
         (foot, tip),
         (tip, (tip[0] - size, tip[1] - 2.0 * size)),
         (tip, (tip[0] + size, tip[1] - 2.0 * size)),
     ):
-        space.add_line(place(a), place(b), dxfattribs=attributes)
-    space.add_text(
-        "UP",
-        dxfattribs={
-            **attributes,
-            "height": round(size, 2),
-            "insert": place((foot[0] + size, foot[1])),
-        },
-    )
-    return document_bytes(document)
+        space.add_line(a, b, layer)
+    space.add_text("UP", (foot[0] + size, foot[1]), (1.0, 0.0), round(size, 2), layer)
+    return dxf_bytes(layers_of(LAYERS), outline, space)
 
 
 def centre_lines(outline) -> list:

@@ -259,11 +259,11 @@ def _linked(document, name: str, value: object):
     kind = LINKED[name]
     if value is None:
         if name not in OPTIONAL:
-            raise ValueError("is missing", f"give a {kind}")
+            raise ValueError("is missing", f"give one of kind {kind}")
         return None
     _own(document, value)
     if getattr(value, "BT_Type", "") != kind:
-        raise ValueError(f"is not a {kind}", f"give a {kind}")
+        raise ValueError(f"is no {kind}", f"give one of kind {kind}")
     return value
 
 

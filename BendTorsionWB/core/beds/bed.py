@@ -10,9 +10,9 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..finding import BendTorsionError, Finding, note
-from ..geometry.vectors import crossed
 from ..geometry.piecewise import Piecewise
 from ..geometry.rigid import moved
+from ..geometry.vectors import crossed
 from ..members.member import Member
 from .bed_face import STEP, BedInput, DownFace, bed_fault, bed_frame, face_and_up
 from .bed_record import Bed, ControlPoint, Pin, Saddle, Seat

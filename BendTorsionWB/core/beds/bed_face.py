@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..finding import BendTorsionError, Finding, error
-from ..geometry.vectors import crossed
 from ..geometry.piecewise import Piecewise
+from ..geometry.vectors import crossed
 from ..members.member import Member, to_space
 from ..members.strips import rails_between
 from .templates import on_corners, section_outline

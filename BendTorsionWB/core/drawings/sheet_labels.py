@@ -17,6 +17,8 @@ TIERS = (
     13.2,
     16.2,
 )  # mm from a line's end to its label; beyond the first with a leader
+SLANTS = (4.0, -4.0, 8.0, -8.0, 12.0, -12.0)  # mm a label on a leader may stand aside
+WORD_SPACE = 0.5  # mm kept free before and behind a label, beyond the clearance
 ALONG = (0.5, 0.36, 0.64, 0.22, 0.78, 0.1, 0.9)  # of a line's length, where its label may stand
 
 
@@ -37,7 +39,7 @@ class Labels:
 
     def put(self, text: Text, leader: np.ndarray | None = None) -> bool:
         """Take the text, and its leader (2, 2), as placed; False when they touch anything."""
-        box = text_box(text)
+        box = _with_space(text_box(text))
         bound = (*box.min(axis=0).tolist(), *box.max(axis=0).tolist())
         left, low, right, high = bound
         grown = (left - CLEARANCE, low - CLEARANCE, right + CLEARANCE, high + CLEARANCE)
@@ -50,7 +52,7 @@ class Labels:
             )
             if not apart and boxes_overlap(box, other, CLEARANCE):
                 return False
-        if _crossed(box, self.segments, CLEARANCE):
+        if _crossed(text_box(text), self.segments, CLEARANCE):
             return False
         if leader is not None:
             (x0, y0), (x1, y1) = leader.min(axis=0) - 0.1, leader.max(axis=0) + 0.1
@@ -64,6 +66,13 @@ class Labels:
         self.boxes.append(box)
         self.bounds.append(bound)
         return True
+
+
+def _with_space(box: np.ndarray) -> np.ndarray:
+    """The box of a text longer at both ends, so that two texts do not read as one."""
+    along = box[1] - box[0]
+    step = along / np.hypot(*along) * WORD_SPACE
+    return box + np.array([-step, step, step, -step])
 
 
 def _crossed(box: np.ndarray, segments: np.ndarray, clearance: float) -> bool:
@@ -97,20 +106,27 @@ def label_beyond(labels: Labels, label: str, end: np.ndarray, far: np.ndarray) -
     away = away / length
     half = np.array([text_width(label, LABEL_HEIGHT), LABEL_HEIGHT * 1.32]) / 2.0
     reach = float(np.abs(away) @ half) if abs(away[0]) > 0.5 else half[1] / abs(away[1])
+    level = abs(away[0]) > 0.5
     for gap in TIERS:
-        for side in (0.0, -1.0, 1.0) if gap == TIERS[0] else (0.0,):
-            middle = end + away * (gap + reach) + (side * half[0], 0.0)
-            text = Text(
-                float(middle[0]),
-                float(middle[1] - LABEL_HEIGHT / 2.0 + 0.16 * LABEL_HEIGHT),
-                LABEL_HEIGHT,
-                label,
-                anchor="middle",
-            )
+        for side in (0.0, -half[0], half[0]) if gap == TIERS[0] else (0.0,):
+            middle = end + away * (gap + reach) + (side, 0.0)
             leader = np.array([end + away * 0.5, end + away * (gap - 0.2)])
-            if labels.put(text, leader if gap > TIERS[0] else None):
+            if labels.put(_about(middle, label), leader if gap > TIERS[0] else None):
+                return True
+    # No room straight on: a slanting leader.
+    for gap in TIERS[1:4]:
+        for side in SLANTS:
+            middle = end + away * (gap + reach) + ((0.0, side) if level else (side, 0.0))
+            way = np.sign(away) * (half + 0.3) * ((1.0, 0.0) if level else (0.0, 1.0))
+            if labels.put(_about(middle, label), np.array([end + away * 0.5, middle - way])):
                 return True
     return False
+
+
+def _about(middle: np.ndarray, label: str) -> Text:
+    """A level text whose box has this middle."""
+    y = float(middle[1] - LABEL_HEIGHT / 2.0 + 0.16 * LABEL_HEIGHT)
+    return Text(float(middle[0]), y, LABEL_HEIGHT, label, anchor="middle")
 
 
 def label_along(labels: Labels, label: str, ends: np.ndarray, outer) -> bool:

@@ -14,7 +14,7 @@ from .sheet_symbols import projection_symbol
 
 SIGNED_CELLS = ("drawn", "checked", "approved", "date", "revision")
 TEXT, LARGE = 1.8, 2.5
-PROJECTION_CELL = 30.0
+PROJECTION_CELL = 34.0
 MEMBER_LABELS = ("member", "sections", "plates on this sheet", "member mass (net)")
 
 

@@ -22,12 +22,18 @@ TITLE_HEIGHT, TITLE_ROOM = 2.5, 5.0
 
 @dataclass(frozen=True)
 class Listing:
-    """Rows under a title and a header, before they are cut into tables. align as Table's."""
+    """Rows under a title and a header, before they are cut into tables. align as Table's;
+    together: so many rows from the first on stay in one table, and so on."""
 
     title: str
     header: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
     align: str
+    together: int = 1
+
+    def most(self, rows: int) -> int:
+        """Of at most `rows` rows those a table has with none torn from its group."""
+        return max(rows // self.together, 1) * self.together
 
     @cached_property
     def widths(self) -> tuple[float, ...]:
@@ -39,7 +45,7 @@ def table_blocks(listing: Listing, most: int, continued: str) -> list[Block]:
     stands above, with `continued` after it above all but the first."""
     widths = listing.widths
     wide = sum(widths)
-    blocks = []
+    most, blocks = listing.most(most), []
     for start in range(0, len(listing.rows), most):
         rows = listing.rows[start : start + most]
         title = f"{listing.title} ({continued})" if start else listing.title

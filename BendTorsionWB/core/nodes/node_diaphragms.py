@@ -13,8 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..finding import Finding, note, warning
-from ..geometry.vectors import crossed
 from ..geometry.piecewise import Piecewise
+from ..geometry.vectors import crossed
 from ..members.member import Member
 from ..members.strips import rails_between
 from ..plates.flat_plate import FlatPlate
@@ -120,7 +120,9 @@ def _diaphragm(node, through, other, branch, index, rules):
     on_wall = [w is not None for w, _ in sides]
     outline = _sniped(ring, on_wall, rules.snipe)
     welded = _welded(on_wall, [faces.names[w] if w is not None else "" for w, _ in sides], rules)
-    return _flat(through, thickness, material, frame, outline, branch, holes, titles, welded), findings
+    return _flat(
+        through, thickness, material, frame, outline, branch, holes, titles, welded
+    ), findings
 
 
 def _welded(on_wall: list[bool], names: list[str], rules) -> tuple[tuple[str, int], ...]:

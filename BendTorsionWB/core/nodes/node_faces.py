@@ -14,8 +14,8 @@ from functools import cached_property
 
 import numpy as np
 
-from ..geometry.vectors import crossed
 from ..geometry.piecewise import Piecewise
+from ..geometry.vectors import crossed
 from ..members.member import Member
 
 NEWTON_STEPS = 30

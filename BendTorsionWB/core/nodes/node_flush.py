@@ -8,8 +8,8 @@ import math
 import numpy as np
 
 from ..finding import Finding, warning
-from ..geometry.vectors import crossed
 from ..geometry.piecewise import Piecewise
+from ..geometry.vectors import crossed
 from ..members.member import Member
 from .node_branch import Branch, Side
 from .node_cut import landings

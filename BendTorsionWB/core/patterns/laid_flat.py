@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ..finding import BendTorsionError, error
 from ..lofting import DevelopedPlate
@@ -79,6 +79,8 @@ def laid_flat(
     developed = with_seams(with_edges(flattened, developed, member.law.strips))
     closed = member.frames.axis.closed
     green = _green_of_pieces(member, plates)
+    if given.surface != "mid":
+        developed = [replace(plate, flattened_surface=given.surface) for plate in developed]
     return with_gross(developed, given.allowances, closed, diaphragms, green)
 
 

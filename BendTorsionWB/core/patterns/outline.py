@@ -27,9 +27,7 @@ def outline_in_plane(development: Development, plate: Plate) -> list[np.ndarray]
         spans += [(a, b, float(k)) for a, b in zip(edges[:-1], edges[1:], strict=True)]
     probes = _along(development, [(a, b, w, 33) for a, b, w in spans])
     counts = _chord_counts(np.array(probes)) + 1
-    runs = _along(
-        development, [(*span, n) for span, n in zip(spans, counts.tolist(), strict=True)]
-    )
+    runs = _along(development, [(*span, n) for span, n in zip(spans, counts.tolist(), strict=True)])
     forth, back = (
         runs[: len(plate.rails.mid_folds) + 1],
         [run[::-1] for run in reversed(runs[len(plate.rails.mid_folds) + 1 :])],

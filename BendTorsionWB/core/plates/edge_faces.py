@@ -15,9 +15,9 @@ from dataclasses import replace
 import numpy as np
 
 from .. import tolerances
-from ..geometry.vectors import crossed
 from ..flattening.outline_sides import sides_of
 from ..geometry.piecewise import Piecewise, evaluate_together
+from ..geometry.vectors import crossed
 from ..lofting import DevelopedPlate, PlateEdge
 from ..sections.section import Strip
 from .plates import Plate

@@ -11,8 +11,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..geometry.vectors import crossed
 from ..geometry.piecewise import Piecewise
+from ..geometry.vectors import crossed
 from ..lofting import DevelopedPlate, EndPart
 from ..members.contour import EndCurves
 from .plates import Plate

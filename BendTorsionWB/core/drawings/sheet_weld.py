@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Welds of a delivery piece: symbols at a section, one of each kind, map, list, backing bars."""
+
+from __future__ import annotations
+
+import math
+import string
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..beds.control_record import ControlSection
+from ..lofting import MemberRecord
+from ..welds.backing import backing_bars
+from ..welds.weld_record import Weld
+from .sheet import Polyline, Text, View, text_box, text_width
+from .sheet_labels import as_points
+from .sheet_pack import Block
+from .sheet_style import SheetStyle, fixed
+from .sheet_tables import ROW_HEIGHT, TITLE_ROOM, Listing, table_blocks
+from .sheet_weld_map import weld_map_blocks
+from .sheet_weld_symbol import (
+    SYMBOL_ROOM,
+    is_partial,
+    weld_arrow,
+    weld_symbol,
+    weld_symbol_width,
+)
+
+CAPTION, FIGURES = 2.5, 1.8
+
+
+def weld_groups(
+    record: MemberRecord, scale: int, area: tuple[float, float, float, float], style: SheetStyle
+) -> list[list[Block]]:
+    """Blocks of the welds of a record, those of each list to stand together: symbols, map, lists;
+    scale: of the section drawn. area: (left, bottom, right, top) of a page, mm."""
+    if not record.welds:
+        return []
+    wide, high = area[2] - area[0], area[3] - area[1]
+    letters = kind_letters(record.welds)
+    groups = [_section_blocks(record, scale, style)]
+    groups += [[block] for block in weld_map_blocks(record, letters, wide, style)]
+    groups.append(_symbol_blocks(record, letters, style))
+    for listing in (weld_listing(record, letters, style), bar_listing(record, style)):
+        if listing.rows:
+            most = int((high - TITLE_ROOM) // ROW_HEIGHT) - 1
+            beside = max(1, int((wide + 5.0) // (sum(listing.widths) + 5.0)))
+            rows = min(most, max(8, -(-len(listing.rows) // beside)))
+            groups.append(table_blocks(listing, rows, style.say("continued")))
+    return groups
+
+
+def kind_letters(welds: Sequence[Weld]) -> dict[tuple, str]:
+    """A letter for each kind of weld, of one preparation, place and test: A, B ... Z, AA ..."""
+    kinds = dict.fromkeys(_kind(weld) for weld in welds)
+    names = string.ascii_uppercase
+    return {
+        kind: (names[k // 26 - 1] if k >= 26 else "") + names[k % 26]
+        for k, kind in enumerate(kinds)
+    }
+
+
+def _cut_thickness(weld: Weld) -> float:
+    """Thickness of the plate that is cut, at a joint of the thinner one, which the chamfer of a
+    thicker one ends at."""
+    return min(weld.thickness) if weld.kind == "joint" else weld.thickness[0]
+
+
+def _kind(weld: Weld) -> tuple:
+    return weld.prep, weld.place, weld.ndt
+
+
+def _section_blocks(record: MemberRecord, scale: int, style: SheetStyle) -> list[Block]:
+    """The welds at the section nearest to mid-length that cuts any."""
+    if not record.controls:
+        return []
+    half = 0.5 * (record.controls[0].s + record.controls[-1].s)
+    nearest = sorted(record.controls, key=lambda one: abs(one.s - half))
+    drawn = (_welded_section(section, record, scale, style) for section in nearest)
+    return [block for block in drawn if block is not None][:1]
+
+
+def _symbol_blocks(
+    record: MemberRecord, letters: dict[tuple, str], style: SheetStyle
+) -> list[Block]:
+    """A symbol for each kind of weld."""
+    say, blocks = style.say, []
+    for kind, letter in letters.items():
+        prep, place, ndt = kind
+        own = [weld for weld in record.welds if _kind(weld) == kind]
+        depths = {_cut_thickness(weld) for weld in own}
+        thickness = depths.pop() if len(depths) == 1 else None
+        at = (6.0, -SYMBOL_ROOM)
+        lines, texts = weld_symbol(prep, thickness, place, ndt, at, style)
+        lines += weld_arrow(prep, at, (0.0, at[1] - 4.0), style)
+        total = style.length(sum(weld.length for weld in own), 0)
+        unit = "" if style.unit == "ft-in" else " mm"
+        words = (
+            f"{letter}  {prep.name or prep.type}: {say(prep.type)}, {say(place)}, × {len(own)}, "
+            f"{say('in all {}', total + unit)}"
+        )
+        texts.append(Text(0.0, -FIGURES, FIGURES, words))
+        wide = max(8.0 + weld_symbol_width(prep, ndt), text_width(words, FIGURES))
+        box = (0.0, at[1] - SYMBOL_ROOM, wide + 2.0, 1.0)
+        blocks.append(Block("", (), tuple(lines), tuple(texts), box))
+    return blocks
+
+
+def _welded_section(section: ControlSection, record: MemberRecord, scale: int, style: SheetStyle):
+    """A section with the symbols of the seams it cuts at its corners; None without seams."""
+    rings = {
+        plate.mark: np.stack([-plate.ring[:, 0], plate.ring[:, 1]], axis=1) / scale
+        for plate in section.plates
+    }
+    seams = {
+        weld.name: weld
+        for weld in record.welds
+        if weld.kind == "seam"
+        and set(weld.plates) <= set(rings)
+        and weld.start - 1.0 <= section.s <= weld.end + 1.0
+    }
+    if not seams:
+        return None
+    points = np.concatenate(list(rings.values()))
+    low, high = points.min(axis=0), points.max(axis=0)
+    middle = 0.5 * (low + high)
+    polylines = tuple(
+        Polyline(as_points(np.vstack([ring, ring[:1]]) * scale), "medium")
+        for ring in rings.values()
+    )
+    lines, texts = [], []
+    for leftward in (True, False):
+        corners = [(w, _cut_corner(rings[w.plates[0]], rings[w.plates[1]])) for w in seams.values()]
+        own = [(w, c) for w, c in corners if (c[0] < middle[0]) == leftward]
+        own.sort(key=lambda item: item[1][1])
+        level = -math.inf
+        for weld, corner in own:
+            side = 1.0 if corner[1] > middle[1] else -1.0
+            level = max(level + 2.0 * SYMBOL_ROOM, float(corner[1]) + 5.0 * side)
+            at = (float(low[0]) - 6.0 if leftward else float(high[0]) + 6.0, level)
+            thickness = _cut_thickness(weld)
+            more, words = weld_symbol(
+                weld.prep, thickness, weld.place, weld.ndt, at, style, leftward
+            )
+            lines += [*more, *weld_arrow(weld.prep, at, corner, style)]
+            texts += words
+    caption = style.say("Welds at {}", f"{section.label}  s {style.length(section.s)}")
+    bounds = [points, *(np.array(line.points) for line in lines), *(text_box(t) for t in texts)]
+    low, high = (
+        np.min([b.min(axis=0) for b in bounds], axis=0),
+        np.max([b.max(axis=0) for b in bounds], axis=0),
+    )
+    texts.append(Text(float(low[0]), float(high[1]) + 2.0, CAPTION, caption))
+    right = max(float(high[0]), float(low[0]) + text_width(caption, CAPTION))
+    view = View(f"welds {section.label}", float(scale), (0.0, 0.0), polylines)
+    box = (float(low[0]), float(low[1]), right, float(high[1]) + 6.0)
+    return Block("", (view,), tuple(lines), tuple(texts), box)
+
+
+def _cut_corner(cut: np.ndarray, beside: np.ndarray) -> np.ndarray:
+    """The end of the outer face of the plate that is cut which lies nearest to the other plate."""
+    distance = np.hypot(*(cut[:2, None] - beside[None]).transpose(2, 0, 1))
+    return cut[int(np.argmin(distance.min(axis=1)))]
+
+
+def weld_listing(
+    record: MemberRecord, letters: dict[tuple, str], style: SheetStyle
+) -> Listing:
+    """The list of welds: mark, plates, type, sizes, length, place, NDT, and the total length.
+    Columns nothing stands in are left out."""
+    say = style.say
+    columns = ("weld", "cut / on", "t", "symbol", "type", "angle, °", "land", "gap", "depth",
+               "side", "backing", "from", "to", "length", "place", "NDT")  # fmt: skip
+    align = "<<><<>>>><<>>><<"
+    rows = [_weld_row(weld, letters[_kind(weld)], record.member, style) for weld in record.welds]
+    total = ["" for _ in columns]
+    total[0], total[13] = say("total"), style.length(sum(w.length for w in record.welds))
+    shown = [
+        k
+        for k, name in enumerate(columns)
+        if name not in ("side", "backing", "NDT")
+        or len({row[k] for row in rows} - {"–", say("outer")})
+    ]
+    rows = [*rows, tuple(total)]
+    return Listing(
+        say("Welds and joints (mm)") if style.unit == "mm" else say("Welds and joints"),
+        tuple(say(columns[k]) for k in shown),
+        tuple(tuple(row[k] for k in shown) for row in rows),
+        "".join(align[k] for k in shown),
+    )
+
+
+def _weld_row(weld: Weld, letter: str, member: str, style: SheetStyle) -> tuple[str, ...]:
+    prep, say = weld.prep, style.say
+    depth = "–"
+    if prep.is_cut:
+        deep = prep.depth(_cut_thickness(weld))
+        depth = style.length(deep) if is_partial(prep) else say("full")
+    elif prep.leg:
+        depth = f"z {style.length(prep.leg)}"
+    return (
+        weld.mark,
+        " / ".join(mark.removeprefix(f"{member}-") for mark in weld.plates),
+        "/".join(dict.fromkeys(f"{t:g}" for t in weld.thickness)),
+        letter,
+        say(prep.type),
+        f"{math.degrees(prep.angle):g}" if prep.angle else "–",
+        style.length(prep.land),
+        style.length(prep.gap),
+        depth,
+        say(prep.side),
+        "{:g}x{:g}".format(*prep.backing) if prep.backing else "–",
+        style.length(weld.start),
+        style.length(weld.end),
+        style.length(weld.length),
+        say(weld.place),
+        weld.ndt or "–",
+    )
+
+
+def bar_listing(record: MemberRecord, style: SheetStyle) -> Listing:
+    """The backing bars of a record's welds."""
+    header = style.said(("mark", "weld", "width", "t", "length", "material", "mass, kg"))
+    rows = tuple(
+        (
+            bar.mark,
+            bar.weld,
+            f"{bar.width:g}",
+            f"{bar.thickness:g}",
+            style.length(bar.length),
+            bar.material,
+            fixed(bar.mass, 1),
+        )
+        for bar in backing_bars(record)
+    )
+    return Listing(style.say("Backing bars (not in the mass of the member)"), header, rows, "<<>>><>")

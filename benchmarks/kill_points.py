@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The program killed at its writes, one by one: what is there afterwards, and whether it goes on.
+
+Run: python3 benchmarks/kill_points.py [points, 500 when left out]
+
+A small project is built, built again after a change, updated, exported, written back as a schedule,
+issued and reported in child processes that die at their n-th write, rename, removal or change of
+mode, before it or in the middle. After each every file must be as it was before or as it would be
+after, to the byte, and the same command run again must give the folder of an undisturbed run.
+"""
+
+import os
+
+os.environ["OPENBLAS_NUM_THREADS"] = "1"
+
+import shutil
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
+
+from BendTorsionWB import freecad_path  # noqa: E402
+
+freecad_path.append()
+
+from kill_scenarios import scenarios, tried  # noqa: E402
+
+
+def main():
+    wanted = int(sys.argv[1]) if len(sys.argv) > 1 else 500
+    start = time.time()
+    with tempfile.TemporaryDirectory() as folder:
+        every = scenarios(Path(folder))
+        total = sum(one.points for one in every)
+        print(f"{'scenario':<34}{'writes':>8}{'killed':>8}{'lost':>6}{'stuck':>7}")
+        killed = lost = stuck = 0
+        for one in every:
+            share = min(one.points, max(6, round(wanted * one.points / total)))
+            places = sorted({round(k * one.points / share) for k in range(1, share + 1)})
+            found = [tried(one, place) for place in places]
+            bad = [text for text, _ in found if text]
+            halted = [text for _, text in found if text]
+            print(
+                f"{one.name:<34}{one.points:>8}{len(places):>8}{len(bad):>6}{len(halted):>7}",
+                flush=True,
+            )
+            for text in bad + halted:
+                print(f"    {text}")
+            killed, lost, stuck = killed + len(places), lost + len(bad), stuck + len(halted)
+        shutil.rmtree(folder, ignore_errors=True)
+        os.makedirs(folder, exist_ok=True)
+    print(f"{killed} kill points: {lost} with a loss, {stuck} after which the next run fails")
+    print(f"{time.time() - start:.0f} s")
+    return 1 if lost or stuck else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
