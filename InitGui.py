@@ -24,6 +24,7 @@ class BendTorsionWorkbench(Workbench):
         FreeCADGui.updateLocale()
         FreeCADGui.addIconPath(str(resources.FOLDER / "icons"))
         FreeCADGui.addPreferencePage(preferences_page.PreferencesPage, "BendTorsion")
+        FreeCADGui.addPreferencePage(preferences_page.OutputPage, "BendTorsion")
         commands.register()
         commands.lay_out(self)
         status_text.watch()

@@ -7,7 +7,7 @@ DEMO = build/concert_hall
 DATA = $(or $(XDG_DATA_HOME),$(HOME)/.local/share)
 MOD = $(or $(FREECAD_USER_HOME),$(DATA)/FreeCAD)/Mod
 
-.PHONY: demo test test-optional install lint format benchmark tutorial translations findings check-structure release packages clean
+.PHONY: demo test test-optional install lint format benchmark tutorial translations findings check-structure coverage mutants release packages clean
 
 demo: packages  ## build the concert hall into build/concert_hall
 	@$(PYTHON) -m BendTorsionWB build $(EXAMPLE) --out $(DEMO)
@@ -56,14 +56,29 @@ benchmark: packages  ## print measured figures beside their limits
 
 tutorial: packages  ## work through the tutorial in FreeCAD's window and refresh its pictures
 	@$(PYTHON) -m pytest -q tests/test_tutorial_window.py
-	@mkdir -p docs/images/tutorial
+	@mkdir -p docs/images/tutorial/dark
 	@cp build/pictures/tutorial/*.png docs/images/tutorial/
+	@cp build/pictures/tutorial/dark/*.png docs/images/tutorial/dark/
 
 translations:  ## bring the translations up to the sources; needs qttools5-dev-tools
 	@$(PYTHON) scripts/translations.py
 
 check-structure: packages  ## the layers and the page of findings, in seconds
 	@$(PYTHON) -m pytest -q tests/test_layers.py tests/test_findings_table.py
+
+coverage: packages build/coverage/bin/coverage  ## branch coverage of core by every test; at least 95 %
+	@build/coverage/bin/coverage run --branch --source=BendTorsionWB/core --data-file=build/coverage/data \
+		-m pytest -q $(COVERED)
+	@build/coverage/bin/coverage report --data-file=build/coverage/data --skip-covered --sort=cover \
+		--fail-under=95
+
+build/coverage/bin/coverage: Makefile
+	@$(PYTHON) -m venv --system-site-packages build/coverage
+	@build/coverage/bin/pip install --quiet --disable-pip-version-check coverage==7.6.4
+	@touch $@
+
+mutants: packages  ## small faults set into the kernel: does a test notice each
+	@$(PYTHON) scripts/mutants.py
 
 release: packages  ## make the add-on archive and try it in a clean FreeCAD user folder
 	@$(PYTHON) scripts/release.py

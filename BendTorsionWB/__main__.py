@@ -115,6 +115,12 @@ def _parser() -> argparse.ArgumentParser:
         "collect what a report of a fault needs, without names of users and folders",
         *(_any_source, _bundle),
     )
+    command(
+        "repair",
+        _repair,
+        "make a document compute again that was saved without BendTorsion",
+        *(_document, _other_file),
+    )
     command("check", _check, "check a schedule, write nothing", _schedule, _only, _jobs)
     return parser
 
@@ -177,6 +183,10 @@ def _status(command) -> None:
 
 def _document(command) -> None:
     command.add_argument("document", help="a FreeCAD document (.FCStd)")
+
+
+def _other_file(command) -> None:
+    command.add_argument("--out", default="", metavar="FILE", help="another file, not in place")
 
 
 def _source(command) -> None:
@@ -350,6 +360,17 @@ def _new(options) -> int:
     if not options.quiet:
         print(f"{options.out}: open it in FreeCAD, or export it")
     return GOOD
+
+
+def _repair(options) -> int:
+    from BendTorsionWB.document_repair import repair_document
+
+    labels, findings = repair_document(options.document, options.out)
+    print_findings(findings, options.quiet)
+    if not options.quiet:
+        done = f"written to {options.out or options.document}" if labels else "nothing to repair"
+        print(f"{len(labels)} objects repaired; {done}")
+    return FAILED if findings else GOOD
 
 
 def _diff(options) -> int:

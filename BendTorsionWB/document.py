@@ -23,8 +23,10 @@ def build_document(
     import FreeCAD
 
     from BendTorsionWB import make
+    from BendTorsionWB.document_settings import keep_style
 
     document = FreeCAD.newDocument("model", hidden=hidden)
+    keep_style(document, schedule.settings.sheet_style)
     surfaces, sections, axes, made = {}, {}, {}, {}
     everyone = {**jobs, **_met_elsewhere(schedule, jobs)}
     with equal_labels():
@@ -53,6 +55,9 @@ def build_document(
                 plates = _make_plates(make, document, schedule, row, job, member, sheets)
             made[name] = member, plates
         _make_nodes(make, document, schedule, jobs, made)
+        drawn = [obj for obj in document.Objects if getattr(obj, "BT_Type", "") == "SheetSet"]
+        if drawn:
+            make.make_arrangement(document, drawn)
     mark_from_schedule(document.Objects)
     return document
 
@@ -67,12 +72,19 @@ def _met_elsewhere(schedule: Schedule, jobs: dict[str, MemberJob]) -> dict[str, 
 
 def _make_nodes(make, document, schedule: Schedule, jobs: dict[str, MemberJob], made) -> None:
     """A Node for each branch of the nodes of these jobs' members."""
-    by_row = {frozenset((row.through, row.other)) for row in schedule.nodes}
+    by_row = {frozenset((row.through, row.other)): row.through for row in schedule.nodes}
     nodes = {node.name: node for job in jobs.values() for node in job.meets}
     for node in nodes.values():
         through, its_plates = made[node.through]
         for branch in node.branches:
             other, plates = made[branch.member]
+            beside, first = [], []
+            for name in dict.fromkeys(b.member for b in node.branches if b is not branch):
+                row = by_row.get(frozenset((name, branch.member)))
+                if row is None:
+                    beside.append(made[name][0])
+                elif row == name:
+                    first.append(made[name][0])
             make.make_node(
                 document,
                 through,
@@ -88,6 +100,8 @@ def _make_nodes(make, document, schedule: Schedule, jobs: dict[str, MemberJob], 
                 by_rank=frozenset((node.through, branch.member)) not in by_row,
                 rule_pack=schedule.settings.rule_pack,
                 plates=[item for item in (its_plates, plates) if item is not None],
+                beside=beside,
+                ends_on=first,
             )
 
 
@@ -292,8 +306,8 @@ def _make_plates(
     )
     bed = make.make_bed(document, plates, **vars(job.bed))
     if sheets:
-        from BendTorsionWB.objects import sheet
+        from BendTorsionWB.objects import sheet_content
 
         sheets = make.make_sheets(document, unfold, bed=bed, plate_pages=False)
-        sheet.set_style(sheets, settings.sheet_style)
+        sheet_content.set_style(sheets, settings.sheet_style)
     return plates

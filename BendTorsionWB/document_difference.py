@@ -7,9 +7,12 @@ import hashlib
 from collections.abc import Iterable
 
 from BendTorsionWB.exchange.difference import Change
+from BendTorsionWB.objects.proxy import type_of
 
 FILE_SHAPE = "Shape"
 """The one property of a shape that was read from a file."""
+FACES = ("AutoJoints", "AutoLanes")
+"""Properties that name faces; their order says nothing."""
 EXACT_TO = 1e-12
 """Relative difference below which two numbers are the same: what degrees and radians cost."""
 
@@ -17,7 +20,7 @@ EXACT_TO = 1e-12
 def kind_of(obj) -> str:
     """The kind of an object of ours: its BT_Type, `File` for a shape read from a file; empty for
     every other, and for the parts of drawing pages, which follow their sheet set."""
-    kind = getattr(obj, "BT_Type", "")
+    kind = type_of(obj)
     if kind in ("PageOutlines", "PageSymbol"):
         return ""
     if not kind and obj.TypeId == "Part::Feature" and "FromSchedule" in obj.PropertiesList:
@@ -44,7 +47,10 @@ def inputs_of(obj) -> tuple[str, ...]:
 
 
 def value_of(obj, name: str):
-    """A property as plain values: quantities as numbers in FreeCAD's units, links by label."""
+    """A property as plain values: quantities as numbers in FreeCAD's units, links by label, names
+    of faces in alphabetical order."""
+    if name in FACES:
+        return tuple(sorted(getattr(obj, name, ())))
     if name == FILE_SHAPE:
         return hashlib.sha256(obj.Shape.exportBrepToString().encode()).hexdigest()[:12]
     return _plain(getattr(obj, name, None))
@@ -99,7 +105,7 @@ def members_of(objects: Iterable) -> str:
     labels: dict[str, None] = {}
     for obj in objects:
         for one in (obj, *obj.InListRecursive, *obj.OutListRecursive):
-            if getattr(one, "BT_Type", "") == "Member" and (
+            if type_of(one) == "Member" and (
                 one in (obj, *obj.InListRecursive) or not _is_upstream(obj)
             ):
                 labels[one.Label] = None

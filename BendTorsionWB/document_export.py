@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Container, Iterable, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import FreeCAD
@@ -16,9 +16,10 @@ from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
 from BendTorsionWB.core.lofting import DevelopedPlate, MemberRecord, failed_record
 from BendTorsionWB.core.parallel import workers_for
+from BendTorsionWB.core.patterns.layer_names import layer_names
 from BendTorsionWB.core.patterns.numbering import numbered
 from BendTorsionWB.core.patterns.strain_map import StrainMap, strain_map
-from BendTorsionWB.core.site import AT_ORIGIN
+from BendTorsionWB.document_settings import style_in
 from BendTorsionWB.document_update import open_document
 from BendTorsionWB.exchange import report, results_workbook
 from BendTorsionWB.exchange.folder_lock import locked
@@ -33,7 +34,7 @@ from BendTorsionWB.exchange.schedule_cells import BadCell, Name
 from BendTorsionWB.member_files import member_files, start_all
 from BendTorsionWB.model_files import IFC, STEP, checked_recompute
 from BendTorsionWB.objects import assembly_bed, plate_set
-from BendTorsionWB.objects.sheet import style_of
+from BendTorsionWB.objects.proxy import type_of
 from BendTorsionWB.objects.unfold import member_record_of, pattern_input
 from BendTorsionWB.package_files import Background, write_package
 from BendTorsionWB.project import (
@@ -53,12 +54,13 @@ from BendTorsionWB.solid_files import write_ifc, write_step
 @dataclass(frozen=True)
 class DocumentRecords:
     """The members of a document: their records by name, the hash of what each comes from, every
-    finding, and what the title blocks say."""
+    finding, what the title blocks say, and by member other names for layers of cut files."""
 
     records: dict[str, MemberRecord]
     keys: dict[str, str]
     findings: tuple[Finding, ...]
     titles: SheetStyle
+    layers: dict[str, dict[str, str]] = field(default_factory=dict)
 
 
 def records_of(document, only: Sequence[str] = ()) -> DocumentRecords:
@@ -67,9 +69,9 @@ def records_of(document, only: Sequence[str] = ()) -> DocumentRecords:
     findings = checked_recompute(document)
     kinds: dict[str, list] = {}
     for obj in document.Objects:
-        kinds.setdefault(getattr(obj, "BT_Type", ""), []).append(obj)
+        kinds.setdefault(type_of(obj), []).append(obj)
     beds = {bed.Plates.Name: bed for bed in kinds.get("AssemblyBed", ()) if bed.Plates}
-    records, keys = {}, {}
+    records, keys, layers = {}, {}, {}
     for unfold in kinds.get("Unfold", ()):
         plates = unfold.Plates
         if plates is None or plates.Member is None or (only and plates.Member.Label not in only):
@@ -78,6 +80,7 @@ def records_of(document, only: Sequence[str] = ()) -> DocumentRecords:
         bed = beds.get(plates.Name)
         try:
             record = member_record_of(unfold)
+            layers[name] = layer_names(unfold.LayerNames, unfold.Label)
             keys[name] = record._made_from
             if bed is not None:
                 found = assembly_bed.value(bed)
@@ -101,9 +104,7 @@ def records_of(document, only: Sequence[str] = ()) -> DocumentRecords:
             )
             for name in missing or ["any"]
         )
-    sheets = kinds.get("SheetSet", ())
-    titles = style_of(sheets[0]) if sheets else SheetStyle()
-    return DocumentRecords(records, keys, findings, titles)
+    return DocumentRecords(records, keys, findings, style_in(document), layers)
 
 
 def source_records(
@@ -140,7 +141,8 @@ def write_figures(given: DocumentRecords, path: str | os.PathLike) -> None:
     if Path(path).suffix.lower() == ".json":
         report.write_report(records, given.findings, __version__, path)
     else:
-        results_workbook.write_results(records, given.findings, path, given.titles.project)
+        titles = given.titles
+        results_workbook.write_results(records, given.findings, path, titles.project, titles.site)
 
 
 def _check_names(names: Iterable[str]) -> None:
@@ -155,12 +157,22 @@ def _check_names(names: Iterable[str]) -> None:
         raise BendTorsionError(findings)
 
 
+def _uncertainties(document, members: Container[str]) -> Callable[[], dict[str, float]]:
+    """What tells how uncertain the axes of the members are, mm, as their objects have found."""
+    found = {
+        obj.Label: obj.Axis.InSurfaceUncertainty.Value
+        for obj in document.Objects
+        if type_of(obj) == "Member" and obj.Label in members and obj.Axis
+    }
+    return lambda: found
+
+
 def _strain_maps(document):
     """What finds the strain map of a plate of the document, None of a flat part."""
     unfolds = {
         obj.Plates.Member.Label: obj
         for obj in document.Objects
-        if getattr(obj, "BT_Type", "") == "Unfold" and obj.Plates and obj.Plates.Member
+        if type_of(obj) == "Unfold" and obj.Plates and obj.Plates.Member
     }
 
     def found(plate: DevelopedPlate) -> StrainMap | None:
@@ -212,7 +224,7 @@ def _export(
             _check_names(given.records)
             check_project(out, given.titles.project, force)
         folder = OutputFolder(out, read_manifest(out), given.titles.project)
-        files = member_files(given.records, given.keys, given.titles if sheets else None)
+        files = member_files(given.records, given.keys, given.titles, sheets, given.layers)
         healthy = {name for name, record in given.records.items() if record.plates}
         with workers_for(workers, len(healthy)) as executor:
             todo = [f for f in files if f.member in healthy and not folder.has(f.name, f.made_from)]
@@ -222,9 +234,11 @@ def _export(
                     folder.begin(STEP)
                     write_step(document, sorted(healthy), out / STEP)
                     folder.wrote(STEP, "")
-                    own, project = given.records, given.titles.project
+                    own, titles = given.records, given.titles
                     folder.begin(IFC)
-                    write_ifc(document, sorted(healthy), own, AT_ORIGIN, project, out / IFC)
+                    write_ifc(
+                        document, sorted(healthy), own, titles.site, titles.project, out / IFC
+                    )
                     folder.wrote(IFC, "")
             with timing.stage("files"):
                 write_member_files(folder, files, made, healthy, progress)
@@ -233,13 +247,14 @@ def _export(
                 given_keys = list(given.keys.values())
                 write_sheet_set(folder, records, given_keys, given.titles, svg)
             with timing.stage("package"):
-                behind = Background(strain=_strain_maps(document))
+                behind = Background(_uncertainties(document, healthy), _strain_maps(document))
                 keys = list(given.keys.values())
-                write_package(folder, records, given.findings, keys, given.titles, behind, executor)
+                write_package(folder, records, given.findings, keys, given.titles, behind)
     finally:
         FreeCAD.closeDocument(document.Name)
     with timing.stage("results"):
-        write_reports(folder, records, given.findings, list(given.keys.values()), given.titles)
+        keys, titles = list(given.keys.values()), given.titles
+        write_reports(folder, records, given.findings, keys, titles, titles.site)
         left = folder.close(set(given.records) if only else None)
     found = tuple(report.all_findings(records, (*given.findings, *left)))
     return BuildResult(records, found, timing.stages)

@@ -17,8 +17,10 @@ from BendTorsionWB.core.axes.axis_ends import AxisEnd
 from BendTorsionWB.core.axes.axis_input import AxisInput, ordered_points
 from BendTorsionWB.core.axes.axis_order import rule_turns
 from BendTorsionWB.core.axes.axis_rule import curve_by_rule
+from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.geometry.curve_edit import turned
 from BendTorsionWB.core.rules import node_rules
+from BendTorsionWB.document_settings import style_in, style_settings
 from BendTorsionWB.exchange.file_name import file_name
 from BendTorsionWB.exchange.schedule_columns import FIRST_SEGMENT_COLUMNS, SETTINGS, SHEETS
 from BendTorsionWB.exchange.schedule_end_cuts import CUT_COLUMNS
@@ -29,12 +31,11 @@ from BendTorsionWB.objects import end_cuts, plate_parts
 from BendTorsionWB.objects import surface as surface_object
 from BendTorsionWB.objects.member import cut_of
 from BendTorsionWB.objects.node import members_of
+from BendTorsionWB.objects.proxy import type_of
 from BendTorsionWB.objects.section_spec import PROPERTY_OF_SIZE
 from BendTorsionWB.shapes import curve_shape
 
 SETTING_PROPERTIES = {
-    "project": ("SheetSet", "Project"),
-    "author": ("SheetSet", "Author"),
     "axis_tolerance": ("Axis", "Tolerance"),
     "bed_face": ("AssemblyBed", "Face"),
     "bed_plane": ("AssemblyBed", "Plane"),
@@ -44,7 +45,7 @@ SETTING_PROPERTIES = {
 }
 """Where a setting is found when its property is not named after it."""
 COLUMN_PROPERTIES = {"member_offset_y": "OffsetY", "member_offset_z": "OffsetZ"}
-_OF_A_MEMBER = ("Member", "PlateSet", "Unfold", "AssemblyBed", "SheetSet")
+_OF_A_MEMBER = ("Member", "PlateSet", "Unfold", "AssemblyBed")
 _FOR_NOTHING = {("Members", "rank"): 0, ("Settings", "pin_pitch"): 0.0}
 
 
@@ -56,8 +57,8 @@ def rows_of(document, files: Path) -> dict[str, list[list]]:
     """
     kinds: dict[str, list] = {}
     for obj in document.Objects:
-        kinds.setdefault(getattr(obj, "BT_Type", ""), []).append(obj)
-    settings = _settings(kinds)
+        kinds.setdefault(type_of(obj), []).append(obj)
+    settings = _settings(kinds, style_in(document))
     materials: dict[str, tuple] = {}
     cells: dict[str, list[dict]] = {
         "Settings": [{"key": key, "value": value} for key, value in settings.items()],
@@ -81,6 +82,9 @@ def rows_of(document, files: Path) -> dict[str, list[list]]:
         _member(obj, kinds, cells, settings)
     rows = map(_node, kinds.get("Node", ()))
     cells["Nodes"] = [row for row in rows if row is not None]
+    for obj in kinds.get("Node", ()):
+        names = ((first.Label, members_of(obj)[1].Label) for first in obj.EndsOn)
+        cells["Nodes"] += [{"through": one, "other": other} for one, other in names]
     cells["Materials"] = [
         {"material": name, "density": density, "E": e, "fy": fy}
         for name, (density, e, fy) in materials.items()
@@ -129,9 +133,10 @@ def _unless_default(sheet: str, column, value):
     return None if cell == default and type(cell) is not bool else cell
 
 
-def _settings(kinds) -> dict[str, object]:
-    """The settings that are not their default, as the first object has them."""
-    found = {}
+def _settings(kinds, style: SheetStyle) -> dict[str, object]:
+    """The settings that are not their default, as the first object has them; style: of the
+    sheets."""
+    found = {key: value for key, value in style_settings(style) if value != SETTINGS[key].default}
     for key, setting in SETTINGS.items():
         kind, name = SETTING_PROPERTIES.get(key, ("", _camel(key)))
         candidates = [o for k in ((kind,) if kind else _OF_A_MEMBER) for o in kinds.get(k, ())]
@@ -283,14 +288,16 @@ def _member(obj, kinds, cells: dict[str, list[dict]], settings: Mapping) -> None
         for user in kinds.get(kind, ())
         if plates is not None and plates in user.OutListRecursive
     ]
+    default_slope = SETTINGS["default_slope"].default
     for k in range(1, obj.Segments + 1):
         row = {"member": obj.Label, "segment": k, "section": getattr(obj, f"Section{k}").Label}
         if k == 1:
             row["axis"] = obj.Axis.Label
         if f"Cut{k}" in obj.PropertiesList and (k > 1 or _has_cut(obj, k)):
             row["cut"] = _cut(obj, k)
-        if k > 1:
-            row["slope"] = getattr(obj, f"Slope{k}")
+        slope = f"Slope{k}"
+        if k > 1 or (slope in obj.PropertiesList and getattr(obj, slope) != default_slope):
+            row["slope"] = getattr(obj, slope)
         for column in SHEETS["Members"]:
             if column.name in ("member", "segment", "section", "axis", "cut", "slope"):
                 continue

@@ -24,10 +24,14 @@ from BendTorsionWB.document_difference import (
     same,
     value_of,
 )
+from BendTorsionWB.document_settings import keep_style, style_in
 from BendTorsionWB.exchange.difference import Change
 from BendTorsionWB.exchange.schedule_rows import Schedule
 from BendTorsionWB.objects import sheet as sheet_object
 from BendTorsionWB.objects.proxy import add_property
+
+DRAWN = ("SheetSet", "ArrangementSet")
+"""Objects with drawing pages."""
 
 
 @dataclass
@@ -58,6 +62,7 @@ class Update:
     def bring(self, document, template, sheets: bool = True) -> None:
         """Make the objects of a document those of the template, and no others of ours. sheets:
         whether the template has drawing sheets; those of the document stay in any case."""
+        keep_style(document, style_in(template))
         wanted, present = objects_of(template), objects_of(document)
         new = [key for key in wanted if key not in present]
         with equal_labels():
@@ -71,7 +76,7 @@ class Update:
             for key, obj in present.items()
             if key not in wanted
             and getattr(obj, "FromSchedule", "")
-            and (sheets or key[0] != "SheetSet")
+            and (sheets or key[0] not in DRAWN)
         ]
         self._remove(document, gone)
 
@@ -125,7 +130,7 @@ class Update:
         if self.removing:
             # What uses an object goes before it.
             for obj in sorted(gone, key=lambda obj: len(obj.OutListRecursive), reverse=True):
-                if kind_of(obj) == "SheetSet":
+                if kind_of(obj) in DRAWN:
                     sheet_object.remove_pages(obj)
                 document.removeObject(obj.Name)
 

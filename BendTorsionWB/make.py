@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 from BendTorsionWB.core.geometry import surface as core_surface
 from BendTorsionWB.core.members.thickness import USUAL_RULES, ThicknessRules
 from BendTorsionWB.core.sections import section_catalogue
+from BendTorsionWB.make_plates import make_arrangement as make_arrangement
 from BendTorsionWB.make_plates import make_bed as make_bed
 from BendTorsionWB.make_plates import make_node as make_node
 from BendTorsionWB.make_plates import make_plates as make_plates
@@ -25,6 +26,7 @@ from BendTorsionWB.objects import section_spec as section_object
 from BendTorsionWB.objects import surface as surface_object
 from BendTorsionWB.objects.given import Given
 from BendTorsionWB.objects.new_object import new_object, scripted
+from BendTorsionWB.objects.repair import repair as repair
 from BendTorsionWB.objects.segment_edit import add_cut as add_cut
 from BendTorsionWB.objects.segment_edit import remove_segment as remove_segment
 from BendTorsionWB.objects.sub_elements import role_of as role_of

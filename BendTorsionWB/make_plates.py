@@ -6,8 +6,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.core.patterns.layer_names import layer_names
 from BendTorsionWB.core.patterns.strain_map import strain_map
 from BendTorsionWB.core.sections.section import BOX_FACES
+from BendTorsionWB.objects import arrangement as arrangement_object
 from BendTorsionWB.objects import assembly_bed as bed_object
 from BendTorsionWB.objects import given, plate_parts
 from BendTorsionWB.objects import node as node_object
@@ -102,18 +104,24 @@ def make_node(
     by_rank: bool = False,
     rule_pack: str = "CN",
     plates: Sequence = (),
+    beside: Sequence = (),
+    ends_on: Sequence = (),
     label: str = "",
 ):
     """A Node where the Member `other` ends on `through`; by_rank: on the one of lower rank.
 
     place: about where on `through`, mm, needed where they meet twice. plates: the PlateSets of the
-    two members, which then end at the node and keep their joints clear of it.
+    two members, which then end at the node and keep their joints clear of it. beside: other Members
+    that end at the node; where two overlap, the one of higher rank ends on the other. ends_on:
+    those that `other` ends on, whatever the ranks.
     label: of the object, where several branches share the node's name.
     """
     plates = given.read(label or name, "plates", plates, given.rows)
     for item in plates:
         if getattr(item, "BT_Type", "") != "PlateSet":
             given.refuse(label or name, "plates", item, "are no PlateSets", "give PlateSets")
+    beside = given.read(label or name, "beside", beside, given.rows)
+    ends_on = given.read(label or name, "ends_on", ends_on, given.rows)
     if other is through:
         given.refuse(name, "other", other, "is the member that runs through", "give another")
     values = [
@@ -128,6 +136,8 @@ def make_node(
         Given("Diaphragms", "diaphragms", diaphragms),
         Given("Blend", "blend", blend),
         Given("RulePack", "rule_pack", rule_pack),
+        Given("Beside", "beside", list(beside)),
+        Given("EndsOn", "ends_on", list(ends_on)),
     ]
     kind = node_object.Node
     obj = new_object(document, "Part::FeaturePython", label or name, kind, values)
@@ -157,6 +167,7 @@ def make_unfold(
     flattened_surface: str = "mid",
     marking_face: str = "inside",
     contour: str = "mid",
+    layers: Mapping[str, str] | None = None,
     **allowances: float | str,
 ):
     """The Unfold of a PlateSet: its flat patterns; mode `edges`, `energy` or `elastic`.
@@ -164,16 +175,21 @@ def make_unfold(
     flattened_surface: `mid`, `outer` or `inner`; marking_face: `inside` or `outside`;
     contour: face that cut files draw, `mid`, `top`, `root` or `widest`. allowances:
     any of shrinkage_along, shrinkage_across, joint, diaphragm, green_start, green_end and splice,
-    as of core.patterns.gross.Allowances.
+    as of core.patterns.gross.Allowances. layers: other names for layers of cut files, by those of
+    the contract, such as {"CUT_OUTER": "10"}.
     """
     label = _label_of(plates, "patterns")
     given.refuse_unknown(label, allowances, ALLOWANCE_PROPERTIES, "allowance")
+    layers = given.read(label, "layers", layers or {}, given.mapping)
+    names = [f"{layer}={name}" for layer, name in layers.items()]
+    layer_names(names, label)
     values = [
         Given("Plates", "plates", plates),
         Given("Mode", "mode", mode),
         Given("FlattenedSurface", "flattened_surface", flattened_surface),
         Given("MarkingFace", "marking_face", marking_face),
         Given("Contour", "contour", contour),
+        Given("LayerNames", "layers", names),
         *(Given(ALLOWANCE_PROPERTIES[key], key, value) for key, value in allowances.items()),
     ]
     return new_object(document, "Part::FeaturePython", label, unfold_object.Unfold, values)
@@ -258,3 +274,12 @@ def make_sheets(
         Given("PlatePages", "plate_pages", plate_pages),
     ]
     return new_object(document, "App::FeaturePython", label, sheet_object.SheetSet, values)
+
+
+@scripted
+def make_arrangement(document, sheets, label: str = "general arrangement"):
+    """The general arrangement of the members of some sheet sets, drawn in the style of the first;
+    its pages are made and kept by recompute. Raises BendTorsionError for an empty list."""
+    values = [Given("Sheets", "sheets", given.read(label, "sheets", sheets, given.some_rows))]
+    kind = arrangement_object.ArrangementSet
+    return new_object(document, "App::FeaturePython", label, kind, values)

@@ -7,16 +7,19 @@ import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import BrokenExecutor, Executor, Future
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from BendTorsionWB.core.drawings.sheet import Sheet
 from BendTorsionWB.core.drawings.sheet_layout import member_sheets
 from BendTorsionWB.core.drawings.sheet_style import SheetStyle
-from BendTorsionWB.core.lofting import MemberRecord
+from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.core.lofting import DevelopedPlate, MemberRecord
 from BendTorsionWB.core.patterns.numbering import shared_marks
 from BendTorsionWB.exchange import dxf, nc1, report
 from BendTorsionWB.exchange.result_cache import key_of
 from BendTorsionWB.exchange.template_dxf import template_dxf
+from BendTorsionWB.exchange.whole_file import not_written
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,21 +44,33 @@ def record_key(key: str, record: MemberRecord) -> str:
 
 
 def member_files(
-    records: Mapping[str, MemberRecord], keys: Mapping[str, str], style: SheetStyle | None
+    records: Mapping[str, MemberRecord],
+    keys: Mapping[str, str],
+    style: SheetStyle,
+    sheets: bool = True,
+    layers: Mapping[str, Mapping[str, str]] | None = None,
 ) -> list[MemberFile]:
-    """The files of these members, sheets first. keys: of what the members come from; style:
-    how the sheets are drawn, None for no sheets."""
+    """The files of these members, sheets first. keys: of what the members come from; style: the
+    project's name, and how its sheets are drawn; sheets: whether they are; layers: by member, other
+    names for layers of its DXF files."""
     keys = {name: record_key(keys[name], record) for name, record in records.items()}
     files = []
     for name, record in records.items():
-        if style is not None and record.plates:
+        if sheets and record.plates:
             given = (record, style)
             key = key_of(keys[name], style)
             files.append(MemberFile(report.sheet_name(name), name, key, sheets_pdf, given))
-    for file_name, write in ((report.dxf_name, dxf.plate_dxf), (report.nc1_name, nc1.plate_nc1)):
-        for name, record in records.items():
-            for plate in record.plates:
-                files.append(MemberFile(file_name(plate.mark), name, keys[name], write, plate))
+    for name, record in records.items():
+        names, key, write = (layers or {}).get(name), keys[name], dxf.plate_dxf
+        if names:
+            key, write = key and key_of(key, names), partial(dxf.plate_dxf, layers=names)
+        for plate in record.plates:
+            files.append(MemberFile(report.dxf_name(plate.mark), name, key, write, plate))
+    for name, record in records.items():
+        key = keys[name] and key_of(keys[name], style.project)
+        for plate in record.plates:
+            given = (plate, style.project)
+            files.append(MemberFile(report.nc1_name(plate.mark), name, key, plate_nc1, given))
     for name, record in records.items():
         for board in [board for bed in record.beds for board in bed.templates]:
             file_name = report.template_name(board.name)
@@ -80,6 +95,12 @@ def written(file: MemberFile, started: Future | None) -> bytes:
     return file.write(file.given)
 
 
+def plate_nc1(given: tuple[DevelopedPlate, str]) -> bytes:
+    """The NC1 file of a plate. given: it and the name of its project, the order in the header."""
+    plate, project = given
+    return nc1.plate_nc1(plate, project)
+
+
 def sheets_pdf(given: tuple[MemberRecord, SheetStyle]) -> bytes:
     """The sheets of a member as PDF. given: its record and how they are drawn."""
     return pdf_bytes(member_sheets(*given))
@@ -89,7 +110,10 @@ def pdf_bytes(sheets: Sequence[Sheet]) -> bytes:
     """The sheets as PDF."""
     from BendTorsionWB.sheets.pdf import write_pdf
 
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "sheets.pdf"
-        write_pdf(sheets, path)
-        return path.read_bytes()
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "sheets.pdf"
+            write_pdf(sheets, path)
+            return path.read_bytes()
+    except OSError as failure:
+        raise BendTorsionError(not_written(Path(tempfile.gettempdir()), failure)) from failure

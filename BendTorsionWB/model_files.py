@@ -3,7 +3,10 @@
 
 from __future__ import annotations
 
+import errno
+import os
 import tempfile
+import zipfile
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -83,8 +86,22 @@ def model_parts(members: Sequence[str], split: int = 0) -> list[ModelPart]:
 
 def checked_recompute(document) -> tuple[Finding, ...]:
     """Recompute and return the errors of all objects: `recompute` itself never tells. Raises
-    BendTorsionError for objects that depend on each other in a circle: FreeCAD computes none of
-    them, and leaves them up to date by their looks."""
+    BendTorsionError for objects that lost what computes them, and for those that depend on each
+    other in a circle: FreeCAD computes none of them, and leaves them up to date by their looks."""
+    from BendTorsionWB.objects.proxy import findings_of
+    from BendTorsionWB.objects.repair import bare_objects
+
+    bare = bare_objects(document)
+    if bare:
+        raise BendTorsionError(
+            error(
+                "object-bare",
+                obj.Label,
+                "does not follow its input: the document was saved without BendTorsion",
+                "run 'python3 -m BendTorsionWB repair FILE'",
+            )
+            for obj in bare
+        )
     circle = _circle(document)
     if circle:
         raise BendTorsionError(
@@ -98,13 +115,11 @@ def checked_recompute(document) -> tuple[Finding, ...]:
         )
     with to_the_end():
         document.recompute()
-    from BendTorsionWB.objects.proxy import findings_of
-
     findings = []
     for obj in document.Objects:
         if "Findings" in obj.PropertiesList:
             findings += [f for f in findings_of(obj) if f.severity == "error"]
-        elif not obj.isValid():
+        if not obj.isValid() and "Findings" not in obj.PropertiesList:
             findings.append(
                 error("object-invalid", obj.Label, obj.getStatusString(), "see the report view")
             )
@@ -140,8 +155,9 @@ def save(document, path: Path) -> None:
     """Save a document whole or not at all."""
     with whole_file(path) as part, to_the_end():
         document.saveCopy(str(part))
-        if not part.exists():
-            raise OSError("the disk is full, or the folder cannot be written to")
+        # FreeCAD does not tell when the disk is full.
+        if not zipfile.is_zipfile(part):
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
         timeless_document(part)
 
 

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import Executor
 from dataclasses import dataclass
 
 from BendTorsionWB import __version__
@@ -14,14 +13,16 @@ from BendTorsionWB.core.error_sources import error_sources
 from BendTorsionWB.core.finding import BendTorsionError, Finding
 from BendTorsionWB.core.lofting import DevelopedPlate, MemberRecord
 from BendTorsionWB.core.patterns.strain_map import StrainMap, strain_map
+from BendTorsionWB.exchange import folder_guide, report
 from BendTorsionWB.exchange.cutting_tables import nesting_csv
 from BendTorsionWB.exchange.dxf_nest import groups_of, nest_dxf
 from BendTorsionWB.exchange.html_report import Picture, html_report
 from BendTorsionWB.exchange.model_picture import model_svg
 from BendTorsionWB.exchange.output_folder import OutputFolder
 from BendTorsionWB.exchange.pattern_picture import pattern_svg
+from BendTorsionWB.exchange.patterns_picture import patterns_svg
 from BendTorsionWB.exchange.result_cache import key_of
-from BendTorsionWB.member_files import MemberFile, record_key, start_all, written
+from BendTorsionWB.member_files import record_key
 from BendTorsionWB.sheets.strain_picture import strain_svg
 
 NESTING, HTML = "nesting.csv", "report.html"
@@ -70,32 +71,37 @@ def write_package(
     keys: Sequence[str],
     titles: SheetStyle,
     background: Background,
-    executor: Executor | None = None,
 ) -> None:
-    """Write the nesting list, the combined DXF files and the HTML report unless they are there.
-    keys: of what the records come from."""
+    """Write the nesting list, the combined DXF files and the HTML report unless they are there,
+    after the files of the members. keys: of what the records come from."""
     own = {r.member: record_key(key, r) for key, r in zip(keys, records, strict=True)}
     whole = key_of(list(own.items())) if all(own.values()) else ""
     plates = [plate for record in records for plate in record.plates]
-    files = [
-        MemberFile(name, "", _group_key(group, own), nest_dxf, group)
-        for name, group in groups_of(records).items()
-    ]
-    if plates:
-        files.append(MemberFile(NESTING, "", whole, nesting_csv, tuple(records)))
-    made = start_all([f for f in files if not folder.has(f.name, f.made_from)], executor)
+    for name, group in groups_of(records).items():
+        key = _group_key(group, own)
+        if folder.has(name, key):
+            folder.keep(name)
+            continue
+        # Joined from the plates' own files, which stand by now: drawing them is the most work.
+        parts = [(p.mark, (folder.out / report.dxf_name(p.mark)).read_bytes()) for p in group]
+        folder.write(name, nest_dxf(parts), key)
+    if plates and folder.has(NESTING, whole):
+        folder.keep(NESTING)
+    elif plates:
+        folder.write(NESTING, nesting_csv(tuple(records)), whole)
     told = [finding.line() for finding in findings]
-    key = key_of(whole, [r.member for r in records], told, titles) if whole else ""
+    files = list(folder_guide.rows(folder.now))
+    key = key_of(whole, [r.member for r in records], told, titles, files) if whole else ""
     if folder.has(HTML, key):
         folder.keep(HTML)
     else:
-        page = report_page(records, findings, titles.project, background)
+        page = report_page(records, findings, titles.project, background, files)
         folder.write(HTML, page.encode("utf-8", "replace"), key)
-    for file in files:
-        if file.name in made:
-            folder.write(file.name, written(file, made[file.name]), file.made_from)
-        else:
-            folder.keep(file.name)
+    text = folder_guide.readme(titles.project, __version__, files)
+    if folder.has(folder_guide.README, key_of(text)):
+        folder.keep(folder_guide.README)
+    else:
+        folder.write(folder_guide.README, text.encode("utf-8", "replace"), key_of(text))
 
 
 def _group_key(plates: Sequence[DevelopedPlate], keys: Mapping[str, str]) -> str:
@@ -108,8 +114,10 @@ def report_page(
     findings: tuple[Finding, ...],
     project: str,
     background: Background,
+    files: Sequence[tuple[str, str]] = (),
 ) -> str:
-    """The HTML report: the model, then strain and pattern of the plate with the largest strain."""
+    """The HTML report: the model, strain and pattern of the plate with the largest strain, the
+    patterns of all; files: of the folder, and what is in them."""
     pictures = [Picture("The members, seen from outside", model_svg(records))]
     plates = [plate for record in records for plate in record.plates if plate.lines]
     if plates:
@@ -122,4 +130,6 @@ def report_page(
             pictures.append(Picture(caption, svg))
         pictures.append(Picture(f"Flat pattern of {worst.mark}", pattern_svg(worst)))
     sources = error_sources(records, background.uncertainty())
-    return html_report(records, findings, project, __version__, pictures, sources)
+    highest = max((plate.strain_max for plate in plates), default=0.0)
+    patterns = [Picture(record.member, patterns_svg(record, highest)) for record in records]
+    return html_report(records, findings, project, __version__, pictures, sources, patterns, files)

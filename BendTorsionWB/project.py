@@ -26,7 +26,7 @@ from BendTorsionWB.exchange import report, results_workbook
 from BendTorsionWB.exchange.difference import Change
 from BendTorsionWB.exchange.folder_lock import locked
 from BendTorsionWB.exchange.issue import (
-    OUTLINES,
+    KEPT_OUTLINES,
     Issue,
     compared,
     comparison_files,
@@ -264,10 +264,10 @@ def _build(
         titles = schedule.settings.sheet_style
         with timing.stage("numbering"):
             own = [item.record for item in detailed.values()]
-            marks = part_marks(cache.folder, own, keys, bool(only))
+            marks = part_marks(out, own, keys, bool(only))
             developed = {record.member: record for record in marks.records}
             findings += marks.findings
-        files = member_files(developed, keys, titles if wanted.sheets else None)
+        files = member_files(developed, keys, titles, wanted.sheets)
         # Workers make the files of all members while this process builds the document.
         made = start_all([f for f in files if not folder.has(f.name, f.made_from)], executor)
         if wanted.model:
@@ -287,7 +287,7 @@ def _build(
         with timing.stage("revision"):
             since = compared(
                 out,
-                cache.folder / OUTLINES,
+                out / KEPT_OUTLINES,
                 developed.values(),
                 statuses,
                 bool(only),
@@ -305,15 +305,15 @@ def _build(
         with timing.stage("package"):
             behind = background_of(jobs, detailed)
             own = list(keys.values())
-            write_package(folder, records, findings, own, titles, behind, executor)
-            keep_part_marks(cache.folder, marks)
+            write_package(folder, records, findings, own, titles, behind)
+            keep_part_marks(out, marks)
     with timing.stage("results"):
         site = schedule.settings.site
         write_reports(folder, records, findings, list(keys.values()), titles, site)
     with timing.stage("revision"):
         for name in comparison_files(since):
             folder.begin(name)
-        for name in write_comparison(since, out, cache.folder / OUTLINES, statuses):
+        for name in write_comparison(since, out, out / KEPT_OUTLINES, statuses):
             folder.wrote(name, "")
     with timing.stage("tidy"):
         findings += folder.close(set(jobs) if only else None)
@@ -328,9 +328,9 @@ def issue_folder(out: str | os.PathLike, revision: str, note: str = "") -> Issue
     """Freeze the files of a folder under a revision; raises BendTorsionError as `issue` does."""
     out = Path(out)
     if not out.is_dir():
-        return issue(out, revision, out / CACHE / OUTLINES, note)
+        return issue(out, revision, out / KEPT_OUTLINES, note)
     with locked(out):
-        return issue(out, revision, out / CACHE / OUTLINES, note)
+        return issue(out, revision, out / KEPT_OUTLINES, note)
 
 
 def _new_document(schedule, jobs, sheets: bool, path: Path):

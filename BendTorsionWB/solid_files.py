@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import errno
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -32,10 +34,12 @@ class NamedSolid:
 
 def plate_sets(document) -> list:
     """The PlateSets of a document that belong to a member."""
+    from BendTorsionWB.objects.proxy import type_of
+
     return [
         obj
         for obj in document.Objects
-        if getattr(obj, "BT_Type", "") == "PlateSet" and obj.Member is not None
+        if type_of(obj) == "PlateSet" and obj.Member is not None
     ]
 
 
@@ -50,7 +54,11 @@ def write_step(document, members: Sequence[str], path: Path) -> None:
 
         Import.export(items, str(part))
         colours = {one.mark: one.colour for obj in sets for one in named_solids(obj)}
-        content = timeless_step(part.read_bytes(), path.name, software)
+        written = part.read_bytes()
+        # FreeCAD does not tell when the disk is full.
+        if not written.rstrip().endswith(b"END-ISO-10303-21;"):
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        content = timeless_step(written, path.name, software)
         part.write_bytes(coloured_step(content, colours))
 
 

@@ -198,7 +198,7 @@ def loft_overshoot(item):
     loft = Part.makeLoft(wires, True, False)
     between = np.concatenate([np.linspace(fold - 250, fold + 250, 21) for fold in member.law.folds])
     points = corners(between)[:, 0]
-    edges = Part.makeCompound(loft.Edges)
+    edges = Part.Compound(loft.Edges)
     return max(edges.distToShape(Part.Vertex(*p))[0] for p in points)
 
 

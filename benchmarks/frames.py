@@ -110,7 +110,7 @@ def shell(rng):
             surface.exchangeUV()
         face = surface.toShape()
         faces.append(face.reversed() if k in half else face)
-    return Part.makeCompound(faces)
+    return Part.Compound(faces)
 
 
 def flips(every):

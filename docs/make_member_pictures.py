@@ -21,18 +21,18 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 from PySide2 import QtCore, QtGui  # noqa: E402
 
 from BendTorsionWB.core import detailing  # noqa: E402
-from BendTorsionWB.core.axis_input import AxisInput  # noqa: E402
-from BendTorsionWB.core.section import box  # noqa: E402
-from BendTorsionWB.core.section_strips import StripRow, strip_list  # noqa: E402
-from BendTorsionWB.core.section_types import (  # noqa: E402
+from BendTorsionWB.core.axes.axis_input import AxisInput  # noqa: E402
+from BendTorsionWB.core.sections.section import box  # noqa: E402
+from BendTorsionWB.core.sections.section_strips import StripRow, strip_list  # noqa: E402
+from BendTorsionWB.core.sections.section_types import (  # noqa: E402
     channel,
     i_section,
     polygon,
     t_section,
     trapezoid,
 )
-from BendTorsionWB.core.segment import Segment  # noqa: E402
-from BendTorsionWB.core.surface import analytic_surface  # noqa: E402
+from BendTorsionWB.core.members.segment import Segment  # noqa: E402
+from BendTorsionWB.core.geometry.surface import analytic_surface  # noqa: E402
 
 IMAGES = ROOT / "docs" / "images"
 CELL = (300, 210)

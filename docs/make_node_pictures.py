@@ -27,16 +27,16 @@ freecad_path.append()
 import FreeCAD  # noqa: E402, F401
 
 from BendTorsionWB.core import detailing  # noqa: E402
-from BendTorsionWB.core.axis_input import AxisInput  # noqa: E402
-from BendTorsionWB.core.frames import FrameInput  # noqa: E402
-from BendTorsionWB.core.node_input import NodeInput, NodeRules  # noqa: E402
-from BendTorsionWB.core.node_jobs import jobs_with_nodes  # noqa: E402
-from BendTorsionWB.core.pattern import develop_plate  # noqa: E402
-from BendTorsionWB.core.section import box  # noqa: E402
-from BendTorsionWB.core.segment import Segment  # noqa: E402
-from BendTorsionWB.core.sheet_node import node_sheets  # noqa: E402
-from BendTorsionWB.core.sheet_style import SheetStyle  # noqa: E402
-from BendTorsionWB.core.surface import analytic_surface  # noqa: E402
+from BendTorsionWB.core.axes.axis_input import AxisInput  # noqa: E402
+from BendTorsionWB.core.axes.frames import FrameInput  # noqa: E402
+from BendTorsionWB.core.drawings.sheet_node import node_sheets  # noqa: E402
+from BendTorsionWB.core.drawings.sheet_style import SheetStyle  # noqa: E402
+from BendTorsionWB.core.geometry.surface import analytic_surface  # noqa: E402
+from BendTorsionWB.core.members.segment import Segment  # noqa: E402
+from BendTorsionWB.core.nodes.node_input import NodeInput, NodeRules  # noqa: E402
+from BendTorsionWB.core.nodes.node_jobs import jobs_with_nodes  # noqa: E402
+from BendTorsionWB.core.patterns.pattern import develop_plate  # noqa: E402
+from BendTorsionWB.core.sections.section import box  # noqa: E402
 from BendTorsionWB.shapes import cut_solid  # noqa: E402
 from BendTorsionWB.shapes.flat_solid import flat_solid  # noqa: E402
 from BendTorsionWB.sheets.pdf import write_pdf  # noqa: E402
@@ -119,6 +119,7 @@ def nodes() -> None:
             ("X-T1",),
         ),
         ("webs too", [x, ("Y", at(90, -1300), at(90, 1300), LOW)], (webs,), ("X-T1",)),
+        ("T, direct", [x, ("Y", at(-90, 1700), (0, 0, 0), LOW)], (), ()),
         ("stub, T", [x, ("Y", at(-90, 1700), (0, 0, 0), LOW)], (stub,), ()),
         (
             "K",
@@ -126,6 +127,16 @@ def nodes() -> None:
                 x,
                 ("Y", at(-130, 1500, -160.0), (-160, 0, 0), SMALL),
                 ("Z", at(-50, 1500, 160.0), (160, 0, 0), SMALL),
+            ],
+            (),
+            (),
+        ),
+        (
+            "K, one ends on the other",
+            [
+                x,
+                ("Y", at(-125, 1500), (0, 0, 0), SMALL),
+                ("Z", at(-55, 1500), (0, 0, 0), box("D", "box1", 240, 200, 10)),
             ],
             (),
             (),
@@ -143,7 +154,7 @@ def nodes() -> None:
             (caption, pictures.drawn(scene(members, rows, hidden), view=(0.45, -0.75, 0.62)))
             for caption, members, rows, hidden in cells
         ],
-        3,
+        4,
         "nodes.png",
     )
 
@@ -214,7 +225,7 @@ def sheet() -> None:
     with tempfile.TemporaryDirectory() as folder:
         write_pdf(node_sheets(records, SheetStyle("Two beams")), Path(folder) / "nodes.pdf")
         pdf, picture = f"{folder}/nodes.pdf", pictures.IMAGES / "node_sheet"
-        looks = ["-r", "75", "-png", "-gray", "-singlefile"]
+        looks = ["-r", "88", "-png", "-gray", "-singlefile"]
         subprocess.run(["pdftoppm", *looks, pdf, picture], check=True)
 
 

@@ -81,7 +81,7 @@ def run_suite(suite: Suite, arguments: list[str]) -> int:
 
 def carry(suite: Suite, root: Path, folder: Path, inside: Path) -> int:
     """Save a document in this lane, and compare those the older lanes saved: 0 when all agree."""
-    command = "/usr/bin/python3 tests/saved/carry.py"
+    command = "/usr/bin/python3 tests/carried_document.py"
     target = CARRIED / suite.name
     saved = folder / "build" / "carried"
     shutil.rmtree(saved, ignore_errors=True)

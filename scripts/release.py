@@ -12,6 +12,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import textwrap
 import xml.etree.ElementTree as ElementTree
 import zipfile
 from pathlib import Path
@@ -33,13 +34,13 @@ from BendTorsionWB.sheets.pdf import start_qt
 
 start_qt()
 out = Path(os.environ["RELEASE_RESULT"]).parent
-document_templates.new_document("single", out / "single.FCStd")
-result = document_export.export_document(out / "single.FCStd", out / "files")
+document_templates.new_document("member", out / "member.FCStd")
+result = document_export.export_document(out / "member.FCStd", out / "files")
 Path(os.environ["RELEASE_RESULT"]).write_text(json.dumps({
     "from": BendTorsionWB.__file__,
     "version": BendTorsionWB.__version__,
     "failed": bool(result.failed),
-    "plates": sum(len(record.plates) for record in result.records.values()),
+    "plates": sum(len(record.plates) for record in result.records),
     "files": sum(path.is_file() for path in (out / "files").rglob("*")),
 }))
 """
@@ -106,7 +107,16 @@ def run(home, command, script):
     """What a script of the installed add-on writes, run with a user folder of its own."""
     result, source = home / "result.json", home / "try.py"
     result.unlink(missing_ok=True)
-    source.write_text(script, encoding="utf-8")
+    # FreeCAD runs a script that failed a second time: the first fault is the one to see.
+    source.write_text(
+        "try:\n"
+        + textwrap.indent(script, "    ")
+        + "except Exception:\n"
+        + "    import os, traceback\n"
+        + "    traceback.print_exc()\n"
+        + "    os._exit(1)\n",
+        encoding="utf-8",
+    )
     environment = {
         **os.environ,
         "HOME": str(home),

@@ -51,6 +51,8 @@ def read_ifc(path):
             "assembly": assembly.Name,
             "volume": quantities["NetVolume"],
             "weight": quantities["NetWeight"],
+            "quantities": quantities,
+            "properties": sets["BendTorsion_Plate"],
             "material": element.get_material(plate).Name,
         }
     [site] = file.by_type("IfcSite")

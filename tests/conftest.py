@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Test set-up: the checkout on the path, and FreeCAD importable as a module."""
+"""Test set-up: the checkout on the path, FreeCAD importable as a module, no network."""
 
+import ipaddress
+import socket
 import sys
 from importlib.util import find_spec
 from pathlib import Path
@@ -20,6 +22,18 @@ freecad_path.append()
 from checkers import INSTALL, missing  # noqa: E402
 
 LEFT_OUT = []
+_connect = socket.socket.connect
+
+
+def _connect_here(self, address):
+    """Tests reach this machine only."""
+    if self.family in (socket.AF_INET, socket.AF_INET6):
+        if not ipaddress.ip_address(address[0].replace("localhost", "127.0.0.1")).is_loopback:
+            raise OSError(f"tests use no network: {address}")
+    return _connect(self, address)
+
+
+socket.socket.connect = _connect_here
 
 
 @pytest.fixture(scope="session")

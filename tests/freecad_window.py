@@ -38,12 +38,19 @@ LIGHT = {"style": "", "gradient": 1, "simple": 0, "background": 0}
 DARK = {"style": "Behave-dark.qss", "gradient": 0, "simple": 1, "background": 0x21252BFF}
 
 
-def run_in_window(script: Path, folder: Path, look=None, language="English", **environment) -> dict:
+def run_in_window(
+    script: Path,
+    folder: Path,
+    look=None,
+    language="English",
+    time_limit=TIME_LIMIT,
+    **environment,
+) -> dict:
     """Run a script of tests/window inside FreeCAD's window; the JSON it wrote.
 
     folder: home of the run, made when missing; what is in `environment` the script reads as
     BENDTORSION_WINDOW_<NAME>. The script gets BENDTORSION_WINDOW_RESULT, the file to write. look:
-    LIGHT or DARK.
+    LIGHT or DARK. time_limit: seconds until FreeCAD is ended.
     """
     folder.mkdir(parents=True, exist_ok=True)
     folder.chmod(0o700)
@@ -76,7 +83,7 @@ def run_in_window(script: Path, folder: Path, look=None, language="English", **e
             start_new_session=True,
         )
         try:
-            process.wait(timeout=TIME_LIMIT)
+            process.wait(timeout=time_limit)
         except subprocess.TimeoutExpired:
             pass
         finally:

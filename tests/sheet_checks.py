@@ -14,17 +14,17 @@ SHRUNK = 0.15
 """mm; a line may come as near as this into the box of a text, which is wider than its ink."""
 
 
-def faults(sheet: Sheet, places: bool = True) -> list[str]:
+def faults(sheet: Sheet) -> list[str]:
     """All that is wrong with a sheet, in words; empty of a readable one."""
     texts = [text for text in sheet.all_texts() if text.text.strip()]
     lines = [line for view in sheet.views for line in view.on_page()] + list(sheet.all_lines())
     boxes = np.array([text_box(text) for text in texts]).reshape(-1, 4, 2)
-    found = [f"{sheet.title}: too small: {t.text!r}" for t in texts if t.height < LEAST_HEIGHT]
-    found += [f"{sheet.title}: cut off: {t.text!r}" for t in texts if t.text.endswith("..")]
-    found += [f"{sheet.title}: {a!r} on {b!r}" for a, b in _on_each_other(texts, boxes)]
-    found += [f"{sheet.title}: {a!r} crossed by a line {b}" for a, b in _crossed(texts, boxes, lines)]
-    found += [f"{sheet.title}: outside: {what}" for what in _outside(sheet, texts, boxes, lines)]
-    return found
+    found = [f"too small: {text.text!r}" for text in texts if text.height < LEAST_HEIGHT]
+    found += [f"cut off: {text.text!r}" for text in texts if text.text.endswith("..")]
+    found += [f"{a!r} on {b!r}" for a, b in _on_each_other(texts, boxes)]
+    found += [f"{text!r} crossed by a line" for text in _crossed(texts, boxes, lines)]
+    found += [f"outside: {what}" for what in _outside(sheet, texts, boxes, lines)]
+    return [f"{sheet.title} {sheet.number}: {what}" for what in found]
 
 
 def _on_each_other(texts: list[Text], boxes: np.ndarray):
@@ -46,31 +46,31 @@ def _meet(first: np.ndarray, second: np.ndarray) -> bool:
     return True
 
 
-def _crossed(texts: list[Text], boxes: np.ndarray, lines):
-    """Texts with a line through them, and where the line runs."""
+def _crossed(texts: list[Text], boxes: np.ndarray, lines) -> list[str]:
+    """Texts with the ink of a line in them."""
     starts = np.array([p for line in lines for p in line.points[:-1]]).reshape(-1, 2)
     ends = np.array([p for line in lines for p in line.points[1:]]).reshape(-1, 2)
-    half = np.array(
-        [0.5 * LINE_STYLES[line.style][0] for line in lines for _ in line.points[1:]]
-    )
+    ink = np.array([0.5 * LINE_STYLES[line.style][0] for line in lines for _ in line.points[1:]])
     low, high = np.minimum(starts, ends), np.maximum(starts, ends)
-    for text, box in zip(texts, boxes, strict=True):
-        left, top = box.min(axis=0), box.max(axis=0)
-        near = np.flatnonzero(np.all((low < top) & (high > left), axis=1))
-        if not len(near):
-            continue
-        along, up = box[1] - box[0], box[3] - box[0]
-        wide, tall = np.hypot(*along), np.hypot(*up)
-        frame = np.column_stack([along / wide, up / tall])
-        a, b = (starts[near] - box[0]) @ frame, (ends[near] - box[0]) @ frame
-        # Points along each line, 0.05 mm apart at most.
-        for p, q, edge, k in zip(a, b, half[near], near, strict=True):
-            t = np.linspace(0.0, 1.0, int(np.hypot(*(q - p)) / 0.05) + 2)[:, None]
-            at, margin = p + (q - p) * t, SHRUNK - edge
-            inside = np.all((at > margin) & (at < (wide - margin, tall - margin)), axis=1)
-            if np.any(inside):
-                yield text.text, (starts[k].round(1).tolist(), ends[k].round(1).tolist())
-                break
+    left, right = boxes.min(axis=1), boxes.max(axis=1)
+    near = np.ones((len(boxes), len(starts)), dtype=bool)
+    for axis in (0, 1):
+        near &= low[:, axis] < right[:, axis, None]
+        near &= high[:, axis] > left[:, axis, None]
+    i, k = np.nonzero(near)
+    box = boxes[i]
+    along, up = box[:, 1] - box[:, 0], box[:, 3] - box[:, 0]
+    size = np.stack([np.hypot(*along.T), np.hypot(*up.T)], axis=1)
+    frame = np.stack([along, up], axis=1) / size[:, :, None]
+    p = ((starts[k] - box[:, 0])[:, None] * frame).sum(axis=2)
+    step = ((ends[k] - starts[k])[:, None] * frame).sum(axis=2)
+    margin = (SHRUNK - ink[k])[:, None]
+    # The part of each line between the sides of the box.
+    step = np.where(np.abs(step) < 1e-12, 1e-12, step)
+    first, second = (margin - p) / step, (size - margin - p) / step
+    enter = np.minimum(first, second).max(axis=1).clip(min=0.0)
+    leave = np.maximum(first, second).min(axis=1).clip(max=1.0)
+    return [texts[n].text for n in np.unique(i[enter < leave])]
 
 
 def _outside(sheet: Sheet, texts, boxes, lines):

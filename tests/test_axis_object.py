@@ -192,7 +192,8 @@ def test_what_is_shown_on_request(document, hall):
     ],
 )
 def test_bad_input_is_an_error_never_a_curve(document, hall, points, settings, code):
-    axis = make.make_axis(document, "A1", hall, points, **settings)
+    axis = make.make_axis(document, "A1", hall, **settings)
+    axis.Points = [FreeCAD.Vector(*point) for point in points]
     section = make.make_section(document, "S", h=800, b=400, t=16)
     member = make.make_member(document, "M1", axis, [section])
     document.recompute()
@@ -205,7 +206,7 @@ def test_bad_input_is_an_error_never_a_curve(document, hall, points, settings, c
 def test_creases_borders_and_units_are_found_with_their_place(document):
     box = document.addObject("Part::Feature", "Box")
     shape = Part.makeBox(9000, 9000, 4000)
-    box.Shape = Part.makeCompound(
+    box.Shape = Part.Compound(
         [f for f in shape.Faces if f.CenterOfMass.z > 3900 or f.CenterOfMass.y < 10]
     )
     surface = make.make_surface(document, "Roof", face=(box, ""))

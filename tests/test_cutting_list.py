@@ -3,11 +3,15 @@
 
 import csv
 import io
+import math
 
+import openpyxl
 import pytest
 from flat_plates import annular_sector, member, rectangle
 
+from BendTorsionWB.exchange.csv_folder import csv_bytes, read_csv
 from BendTorsionWB.exchange.cutting_tables import CUTTING, TOTALS, cutting_tables, nesting_csv
+from BendTorsionWB.exchange.xlsx_file import TEXT, Column, Table, xlsx_bytes
 
 
 def records():
@@ -51,3 +55,26 @@ def test_the_nesting_list_reads_back_and_holds_no_formula():
     assert head[:4] == ["part", "thickness", "material", "quantity"]
     assert len(found) == 4 and {row[0] for row in found} >= {"M1-T1", "M1-L1"}
     assert not any(cell[:1] in "=+-@" for row in found for cell in row)
+
+
+def test_no_cell_of_any_list_is_a_formula_and_all_read_back_as_they_were(tmp_path):
+    nasty = ["=1+1", "+A1", "-A1", "@SUM(A1)", "\tx", "'quoted", "-12.5", "+3", "plain", "-5%"]
+    path = tmp_path / "list.csv"
+    path.write_bytes(csv_bytes([["name"], *([cell] for cell in nasty), [-4.5], [None]]))
+    written = [row[0] for row in csv.reader(io.StringIO(path.read_text("utf-8-sig")))]
+    formulas = [c for c in written if c[:1] in ("=", "+", "-", "@", "\t") and not number(c)]
+    assert formulas == []
+    assert [row[0] for row in read_csv(path)][1:-2] == nasty
+    [sheet] = openpyxl.load_workbook(
+        io.BytesIO(xlsx_bytes([Table("T", [Column("name", TEXT)], [(cell,) for cell in nasty])]))
+    )
+    for cell, given in zip(list(sheet["A"])[1:], nasty, strict=True):
+        assert (cell.data_type, cell.value) == ("s", given)
+        assert cell.quotePrefix or given[0] not in "=+-@\t"
+
+
+def number(text):
+    try:
+        return math.isfinite(float(text.rstrip("%")))
+    except ValueError:
+        return False

@@ -5,6 +5,7 @@ Where one is not installed its tests are left out, and named at the end.
 """
 
 import csv
+import json
 import subprocess
 
 import numpy as np
@@ -14,8 +15,18 @@ from checkers import ask
 from package_build import SITE, plates_of
 
 from BendTorsionWB.core.colour_scale import FACE_COLOURS
+from BendTorsionWB.exchange.dxf_bevels import edge_texts
 
 pytestmark = pytest.mark.slow
+
+QUANTITIES = (
+    ("Width", "thickness_mm", 1.0),
+    ("NetArea", "area_mm2", 1e-6),
+    ("GrossArea", "gross_area_mm2", 1e-6),
+    ("NetWeight", "mass_kg", 1.0),
+    ("GrossWeight", "gross_mass_kg", 1.0),
+)
+"""Quantity of IFC, field of report.json, and its unit in that of IFC."""
 
 
 @pytest.mark.external("ifcopenshell")
@@ -27,6 +38,16 @@ def test_ifc_is_valid_by_its_schema_and_rules_and_holds_every_plate(built):
     assert set(found["plates"]) == set(plates)
     assert found["assemblies"] == len(result.records)
     assert found["site"] == pytest.approx([SITE["site_x"], SITE["site_y"], SITE["site_z"]])
+    assert len({own["id"] for own in found["plates"].values()}) == len(plates)
+    report = json.loads((out / "report.json").read_text(encoding="utf-8"))
+    told = {own["mark"]: own for member in report["members"] for own in member["plates"]}
+    for mark, own in found["plates"].items():
+        quantities = own["quantities"]
+        for name, field, factor in QUANTITIES:
+            assert quantities[name] == pytest.approx(told[mark][field] * factor, rel=1e-12)
+        texts = own["properties"]["EdgePreparations"]
+        assert texts == edge_texts(plates[mark]) and (" deg " in texts) == bool(plates[mark].bevels)
+        assert own["properties"]["MarkingFace"] == "inside"
     volumes = ask("read_ifc_volumes", out / "model.ifc")
     for mark, own in found["plates"].items():
         assert own["assembly"] == plates[mark].member and own["material"] == "S355"

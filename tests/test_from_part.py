@@ -145,7 +145,7 @@ def test_ambiguous_points_are_flagged():
     assert abs(abs(sphere.distance[0]) - 5e3) < 1e-9
     # Between two parallel plates the middle plane has two feet.
     upper = Part.makePlane(900, 900, Vector(0, 0, 40))
-    plates = Part.makeCompound([Part.makePlane(900, 900), upper])
+    plates = Part.Compound([Part.makePlane(900, 900), upper])
     foot = surface_from_part(plates).closest([[300, 300, 20], [300, 300, 21]])
     assert foot.ambiguous.tolist() == [True, False]
 
@@ -273,7 +273,7 @@ def test_points_past_the_border_are_flagged():
     assert np.allclose(foot.points[3], 0)
     # Two halves of one plane: their common border is no border of the surface, its end is.
     other = Part.makePlane(450, 700, Vector(450, 0, 0))
-    halves = Part.makeCompound([Part.makePlane(450, 700), other])
+    halves = Part.Compound([Part.makePlane(450, 700), other])
     foot = surface_from_part(halves).closest([[450, 350, 7], [450, 0, 7], [450, -20, 7]])
     assert foot.outside.tolist() == [False, False, True]
     assert not foot.ambiguous.any()
@@ -351,7 +351,7 @@ def test_a_wire_becomes_one_curve_whatever_the_order_of_its_edges():
     arc = Part.Arc(Vector(1e3, 0, 0), Vector(1.5e3, 200, 0), Vector(2e3, 900, 300)).toShape()
     first = Part.makeLine(Vector(0, 0, 0), Vector(1e3, 0, 0))
     last = Part.makeLine(Vector(5e3, 2e3, 0), Vector(2e3, 900, 300))
-    chain = Part.makeCompound([last, first, arc])
+    chain = Part.Compound([last, first, arc])
     curve = curve_from_part(chain)
     points = curve.evaluate(np.linspace(*curve.domain, 3000))[0]
     assert distance_to_shape(points[::20], chain) < 1e-9
@@ -363,7 +363,7 @@ def test_a_wire_becomes_one_curve_whatever_the_order_of_its_edges():
 
 
 def test_edges_that_form_no_chain_are_refused():
-    apart = Part.makeCompound(
+    apart = Part.Compound(
         [
             Part.makeLine(Vector(0, 0, 0), Vector(1, 0, 0)),
             Part.makeLine(Vector(5, 0, 0), Vector(9, 0, 0)),

@@ -9,6 +9,7 @@ from BendTorsionWB import make
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.gui import member_rows
 from BendTorsionWB.gui.joint_words import joints_text, parse_joints, set_joints
+from BendTorsionWB.gui.row_table import block_of
 
 
 @pytest.fixture
@@ -138,5 +139,20 @@ def test_edges_are_sorted_into_chains():
 
     points = [FreeCAD.Vector(x, 0, 0) for x in (0, 1000, 2000, 5000, 6000)]
     edges = [Part.makeLine(points[k], points[k + 1]) for k in (1, 0, 3)]
-    assert chains(Part.makeCompound(edges)) == [["Edge1", "Edge2"], "Edge3"]
-    assert chains(Part.makeCompound(edges[:2])) == [""]
+    assert chains(Part.Compound(edges)) == [["Edge1", "Edge2"], "Edge3"]
+    assert chains(Part.Compound(edges[:2])) == [""]
+
+
+def test_blocks_as_spreadsheets_copy_them():
+    """Tabs and line ends; what holds a quote, a tab or a line break is quoted (RFC 4180)."""
+    assert block_of("1\t2\r\n3\t\r\n") == [["1", "2"], ["3", ""]]
+    assert block_of('"0.2 0.4"\t"a ""b"""\n5\t6') == [["0.2 0.4", 'a "b"'], ["5", "6"]]
+    assert block_of('"two\nlines"\tx') == [["two\nlines", "x"]]
+    assert block_of("") == []
+
+
+def test_what_a_cell_can_hold_is_offered(document):
+    row = member_rows.rows_of(document)[1]
+    assert row.choices("section") == ["B500", "B700"]
+    assert len(row.choices("align")) == 9 and "top-left" in row.choices("align")
+    assert row.choices("cut") == []

@@ -11,8 +11,10 @@ from flat_plates import annular_sector, member, rectangle
 
 from BendTorsionWB.core.error_sources import error_sources
 from BendTorsionWB.core.finding import error, warning
+from BendTorsionWB.exchange import folder_guide
 from BendTorsionWB.exchange.html_report import Picture, html_report, write_html_report
 from BendTorsionWB.exchange.model_picture import model_svg
+from BendTorsionWB.exchange.patterns_picture import patterns_svg
 
 VOID = {"meta", "br", "img"}
 
@@ -39,7 +41,7 @@ class Reader(HTMLParser):
         assert self.open.pop() == tag
 
     def handle_data(self, data):
-        if self.open and self.open[-1] in ("td", "th"):
+        if {"td", "th"} & set(self.open):
             self.tables[-1][-1][-1] += data
         if self.open and self.open[-1] == "h2":
             self.headings.append(data)
@@ -123,10 +125,55 @@ def test_the_picture_shows_every_face_once_and_the_nearest_last():
     assert points.min() >= 0.0 and (points.max(axis=0) <= [wide, tall]).all()
     # From straight above, the four faces drawn last are the top, seen in full breadth.
     above = ElementTree.fromstring(model_svg(records()[:1], height=90.0))
-    areas = [area(shape) for shape in above]
+    areas = [area(shape) for shape in above if shape.tag.endswith("polygon")]
     assert len(areas) == 16 and min(areas[-4:]) > 100.0
     assert sum(one < 1.0 for one in areas) == 8
     assert model_svg([]) == ""
+    assert [text.text for text in root if text.tag.endswith("text")] == ["M1", "M2"]
+
+
+def test_every_pattern_is_shown_once_to_one_scale_in_the_colour_of_its_strain():
+    low, high = rectangle("M1-T1", strain_max=0.0), rectangle("M1-T2", strain_max=2e-4)
+    wide = annular_sector("M1-L1", strain_max=1e-4)
+    root = ElementTree.fromstring(patterns_svg(member("M1", (low, high, wide)), 2e-4))
+    shapes = [shape for shape in root.iter() if shape.tag.endswith("polygon")]
+    assert [shape.get("fill") for shape in shapes[:2]] == ["#00224e", "#fee838"]
+    assert len({shape.get("fill") for shape in shapes}) == 3
+    scale = np.sqrt(area(shapes[0]) / low.area)
+    assert np.sqrt(area(shapes[2]) / wide.area) == pytest.approx(scale, rel=0.01)
+    texts = [text.text for text in root.iter() if text.tag.endswith("text")]
+    assert {"M1-T1", "M1-T2", "M1-L1", "top", "200.0 µm/m"} <= set(texts)
+    frame = float(root.get("viewBox").split()[2])
+    ends = [float(pair.split(",")[0]) for shape in shapes for pair in shape.get("points").split()]
+    assert 0.0 < min(ends) and max(ends) < frame
+    assert patterns_svg(member("M1", ()), 1.0) == ""
+
+
+def test_lists_of_the_page_are_those_of_the_tables_and_files_are_links():
+    files = [("sheets/set.pdf", "drawings"), ("plates/<mark>.dxf", "patterns")]
+    text = html_report(records(), (), "Hall", "1.0", files=files)
+    reader = read(text)
+    [head, *totals] = [table for table in reader.tables if table[0][0] == "t"][0]
+    plates = [plate for record in records() for plate in record.plates]
+    assert sum(float(row[3]) for row in totals) == len(plates)
+    assert sum(float(row[5]) for row in totals) == pytest.approx(
+        sum(p.mass for p in plates), abs=0.1 * len(totals)
+    )
+    assert "sheets/set.pdf" in reader.attributes and "plates/<mark>.dxf" not in reader.attributes
+    assert [row[0] for row in reader.tables[-1][1:]] == [name for name, _ in files]
+    assert head[1] == "grade"
+
+
+def test_the_guide_names_what_is_there_and_nothing_else():
+    names = {"plates/M1-T1.dxf", "plates/all/20mm S355.dxf", "sheets/M1.pdf", "sheets/set.pdf"}
+    listed = dict(folder_guide.rows(names))
+    assert {"plates/<mark>.dxf", "plates/all/<thickness> <grade>.dxf"} <= set(listed)
+    assert not {"model.ifc", "sheets/nodes.pdf", "nc1/<mark>.nc1"} & set(listed)
+    # What stands by itself is no example of a kind.
+    assert "sheets/<member>.pdf" not in dict(folder_guide.rows({"sheets/set.pdf"}))
+    text = folder_guide.readme("Hall", "1.0", list(listed.items()))
+    assert text.startswith("Fabrication package Hall") and "CUT_OUTER" in text
+    assert max(map(len, text.splitlines())) <= 110
 
 
 def area(shape):

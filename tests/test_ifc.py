@@ -48,6 +48,8 @@ def plate(mark, solid, material="S355"):
         width=20.0,
         material=material,
         gross=None,
+        marking_face="inside",
+        bevels=(),
     )
     return PlateSolid(record, boundary_of(solid, mark), (0.5, 0.5, 0.75))
 

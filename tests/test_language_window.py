@@ -18,9 +18,13 @@ def window(tmp_path_factory):
     """A session in Simplified Chinese."""
     script = ROOT / "tests" / "window" / "language_session.py"
     found = run_in_window(
-        script, tmp_path_factory.mktemp("language"), language="Chinese Simplified"
+        script,
+        tmp_path_factory.mktemp("language"),
+        language="Chinese Simplified",
+        time_limit=400,
+        pictures=ROOT / "build" / "pictures" / "language",
     )
-    for step in ("commands", "pages"):
+    for step in ("commands", "pages", "panels"):
         assert "failed" not in found[step], found[step]["failed"]
     return found
 
@@ -45,3 +49,22 @@ def test_pages_are_in_chinese(window):
     assert window["pages"]["title"] == "新对象"
     assert {"高度 h", "规则包"} <= set(window["pages"]["labels"])
     assert window["pages"]["legend"] == "展开应变"
+
+
+def test_no_label_is_cut_off(window):
+    """In the panel of each kind of object, the pages of preferences and the dialog."""
+    cut = window["panels"]["cut"]
+    assert len(cut) >= 12
+    assert {name: texts for name, texts in cut.items() if texts} == {}
+
+
+def test_labels_of_panels_are_in_chinese(window):
+    """But for names of sizes and layers, marks and numbers, and what the checks find."""
+    latin = re.compile(r"[A-Za-z]{4,}")
+    plain = {text for texts in window["panels"]["words"].values() for text in texts}
+    english = {
+        text for text in plain if latin.search(text) and not re.search(r"[\u4e00-\u9fff]", text)
+    }
+    assert {
+        text for text in english if not re.fullmatch(r"[A-Z_]+|FreeCAD|BendTorsion.*", text)
+    } == set()

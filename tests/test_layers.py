@@ -43,11 +43,16 @@ BELOW = {
     ),
     "round_trip": ("project", "document_rows"),
     "document_export": ("project",),
+    "document_repair": ("model_files",),
     "document_templates": ("make", "exchange"),
+    "make_files": ("round_trip", "document_export", "document_templates"),
     "console": ("core",),
-    "gui": ("round_trip", "document_export", "document_templates"),
+    "gui": ("make_files",),
     "support": ("round_trip", "document_export"),
-    "__main__": ("support", "round_trip", "document_export", "document_templates", "console"),
+    "__main__": (
+        *("support", "round_trip", "document_export", "document_repair", "document_templates"),
+        "console",
+    ),
 }
 EVERYWHERE = ("", "freecad_path")  # the package itself holds the version only
 # The rooms of core, each using those before it only.

@@ -12,6 +12,7 @@ from BendTorsionWB.core.nodes.node_cut import landings, outer_lines
 from BendTorsionWB.core.nodes.node_faces import outer_faces
 from BendTorsionWB.core.nodes.node_input import NodeInput, NodeRules
 from BendTorsionWB.core.nodes.nodes import find_nodes
+from BendTorsionWB.core.plates.flat_room import separation
 from BendTorsionWB.core.sections.section import box
 from BendTorsionWB.core.sections.section_types import i_section
 
@@ -134,8 +135,14 @@ def test_two_branches_that_end_at_one_place_make_a_k():
     two = at_angle(60, "Y2", ahead=0.0, x=-80.0, section=box("S", "box1", 300, 200, 10))
     three = at_angle(-60, "Y3", ahead=0.0, x=0.0, section=box("S", "box1", 300, 200, 10))
     result = found(along_x(), one, two, three, ranks={"X": 1})
-    assert not result.findings
     assert [(n.kind, len(n.branches)) for n in result.nodes] == [("K", 3)]
+    # The diaphragms of the third one, opposite, would run into those of the first two.
+    assert codes(result) == {("node-diaphragms-meet", "X")}
+    assert {f.severity for f in result.findings} == {"warning"}
+    (node,) = result.nodes
+    assert sum(len(b.diaphragms) for b in node.branches) == 4
+    flats = [flat for branch in node.branches for flat in branch.diaphragms]
+    assert min(separation(a, b) for a in flats for b in flats if a is not b) > 10.0
 
 
 def test_branches_that_overlap_beside_the_through_member_are_named():

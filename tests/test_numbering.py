@@ -108,6 +108,29 @@ def test_marks_do_not_depend_on_other_members(order):
     assert {mark: together[mark] for mark in alone} == alone
 
 
+def test_a_part_mark_changes_with_the_plate_it_is_named_after_and_with_no_other():
+    members = [record(name, curve()) for name in ("M1", "M2", "M3")]
+    same = parts(*members)
+    assert {mark: part for mark, (part, _, _) in same.items() if mark.endswith("-T1")} == {
+        f"M{k}-T1": "M1-T1" for k in (1, 2, 3)
+    }
+    other = [record(f"M{k}", curve(), height=801) for k in (1, 2)]
+    second = parts(members[0], other[1], members[2])
+    assert [second[f"M{k}-L1"][:2] for k in (1, 2, 3)] == [
+        ("M1-L1", 2),
+        ("M2-L1", 1),
+        ("M1-L1", 2),
+    ]
+    first = parts(other[0], members[1], members[2])
+    assert [first[f"M{k}-L1"][:2] for k in (1, 2, 3)] == [
+        ("M1-L1", 1),
+        ("M2-L1", 2),
+        ("M2-L1", 2),
+    ]
+    # Position marks are those of place alone.
+    assert set(same) == set(second) == set(first)
+
+
 def test_plates_that_differ_in_a_bevel_alone_are_different_parts():
     def cut(mark, side, angle=45.0):
         plate = rectangle(mark)

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from curved_members import tapered
 from schedule_books import findings
+from scipy.integrate import trapezoid
 from test_diaphragms import hollow, straight
 
 from BendTorsionWB.core.axes.axis import fit_axis
@@ -107,12 +108,12 @@ def test_through_a_cylinder_an_opening_is_straight_and_rolled_out_exactly():
     a = np.linspace(-np.pi / 2, np.pi / 2, 20001)
     x, chord = 200.0 * np.sin(a), 400.0 * np.cos(a)
     lean = np.sqrt(1 - (x / radius) ** 2)
-    assert record.holes[0].area == pytest.approx(np.trapz(chord / lean, x), rel=1e-7)
+    assert record.holes[0].area == pytest.approx(trapezoid(chord / lean, x), rel=1e-7)
     depth = np.sqrt((radius + 10) ** 2 - x**2) - np.sqrt((radius - 10) ** 2 - x**2)
-    assert opening.volume == pytest.approx(np.trapz(chord * depth, x), rel=1e-6)
+    assert opening.volume == pytest.approx(trapezoid(chord * depth, x), rel=1e-6)
     outer = develop_plate(plate, surface="outer").holes[0]
     lean = np.sqrt(1 - (x / (radius + 10)) ** 2)
-    assert outer.area == pytest.approx(np.trapz(chord / lean, x), rel=1e-7)
+    assert outer.area == pytest.approx(trapezoid(chord / lean, x), rel=1e-7)
 
 
 @pytest.mark.parametrize("mode", MODES)

@@ -4,6 +4,7 @@
 import ast
 import os
 import re
+import socket
 import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
@@ -209,3 +210,9 @@ def test_install_links_the_checkout_into_freecad(tmp_path):
     assert refused.returncode != 0
     assert "not a link" in refused.stderr
     assert link.is_dir() and not link.is_symlink()
+
+
+def test_tests_use_no_network():
+    """What a test connects to is this machine; anything else is refused before it is tried."""
+    with socket.socket() as plug, pytest.raises(OSError, match="no network"):
+        plug.connect(("192.0.2.1", 80))

@@ -6,6 +6,7 @@ import errno
 import io
 import json
 import math
+import shutil
 from pathlib import Path
 
 import ezdxf
@@ -22,8 +23,11 @@ from BendTorsionWB import project
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.geometry.arc_fit import enclosed_area
 from BendTorsionWB.core.site import SiteDatum
+from BendTorsionWB.exchange.dxf import plate_dxf
 from BendTorsionWB.exchange.dxf_nest import GAP, groups_of, nest_dxf, shelves
+from BendTorsionWB.exchange.issue import KEPT_OUTLINES
 from BendTorsionWB.exchange.part_marks import FILE
+from BendTorsionWB.exchange.plate_outlines import read_outlines
 from BendTorsionWB.model_files import Wanted
 
 pytestmark = pytest.mark.slow
@@ -64,7 +68,7 @@ def test_a_build_without_changes_writes_nothing_and_a_lost_file_comes_back(built
     again = state()
     touched = {name for name in before if before[name] != again.get(name)}
     assert grade in again
-    assert touched <= {grade, ".bendtorsion.json", ".cache/parts.json"}
+    assert touched <= {grade, ".bendtorsion.json", FILE}
     assert contents == {name: (out / name).read_bytes() for name in contents}
 
 
@@ -123,7 +127,8 @@ def test_grades_no_file_system_takes_share_a_name_safely(built):
     plates = tuple(replace(p, material=m) for p, m in zip(record.plates, named, strict=True))
     groups = groups_of([replace(record, plates=plates)])
     assert len(groups) == 1 and "/J2" not in next(iter(groups))
-    drawing = ezdxf.read(io.StringIO(nest_dxf(plates).decode()))
+    files = [(plate.mark, plate_dxf(plate)) for plate in plates]
+    drawing = ezdxf.read(io.StringIO(nest_dxf(files).decode()))
     assert len(drawing.modelspace()) == 2
 
 
@@ -146,7 +151,7 @@ def test_the_report_shows_model_strain_and_pattern_and_the_axis_uncertainty(buil
     _, out, result = built
     page = (out / "report.html").read_text(encoding="utf-8")
     worst = max((p for p in plates_of(result) if p.lines), key=lambda p: p.strain_max)
-    assert page.count("<svg") == 3 and "<?xml" not in page
+    assert page.count("<svg") == 3 + len(result.records) and "<?xml" not in page
     assert f"Strain of laying {worst.mark} flat" in page
     assert "axis between the given points" in page
     assert "http://" not in page.replace('xmlns="http://www.w3.org/2000/svg"', "")
@@ -250,9 +255,9 @@ def test_part_marks_of_a_partial_build_are_those_of_the_whole_one(tmp_path):
     plain = Wanted(False, False)
     whole = project.build(path, out, workers=1, wanted=plain)
     parts = {p.mark: (p.part, p.quantity) for p in plates_of(whole)}
-    kept = json.loads((out / ".cache" / FILE).read_text())
+    kept = json.loads((out / FILE).read_text())
     kept["M2"][1] = ["M1-T1", 2, "M1-L1"]
-    (out / ".cache" / FILE).write_text(json.dumps(kept))
+    (out / FILE).write_text(json.dumps(kept))
     part = project.build(path, out, only=["M2"], workers=1, wanted=plain)
     first, *others = part.records[0].plates
     assert (first.part, first.quantity, first.opposite_hand) == ("M1-T1", 2, "M1-L1")
@@ -357,3 +362,15 @@ def test_an_object_in_error_and_a_label_no_file_can_have_are_refused_by_name(tmp
     finally:
         for name in list(FreeCAD.listDocuments()):
             FreeCAD.closeDocument(name)
+
+
+def test_marks_and_outlines_outlive_the_cache(tmp_path):
+    path, out = schedule(tmp_path / "two.xlsx", APART), tmp_path / "out"
+    plain = Wanted(False, False)
+    whole = project.build(path, out, workers=1, wanted=plain)
+    shutil.rmtree(out / ".cache")
+    part = project.build(path, out, only=["M2"], workers=1, wanted=plain)
+    shared = {p.mark: (p.part, p.quantity, p.opposite_hand) for p in plates_of(whole)}
+    assert all((p.part, p.quantity, p.opposite_hand) == shared[p.mark] for p in plates_of(part))
+    assert not [f for f in part.findings if f.code == "part-marks-partial"]
+    assert set(read_outlines(out / KEPT_OUTLINES)) == set(shared)

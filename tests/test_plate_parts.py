@@ -52,6 +52,14 @@ MARKS = [
 ]
 
 
+def meshed_volume(solid):
+    """Volume enclosed by a fine mesh of a solid, about its own middle."""
+    points, triangles = solid.tessellate(0.05)
+    own = np.array(points) - np.array(solid.CenterOfMass)
+    a, b, c = (own[corner] for corner in np.array(triangles).T)
+    return (a * np.cross(b, c)).sum() / 6
+
+
 def rows(table):
     return [{("closing_face" if k == "closing" else k): v for k, v in row.items()} for row in table]
 
@@ -93,7 +101,8 @@ def plates():
 
 
 def test_solids_lose_their_openings_and_gain_the_flat_parts(plates):
-    """Kernel volumes against own quadrature; closed and valid; figures of the object agree."""
+    """Volumes of the kernel's meshes against own quadrature; closed and valid; figures of the
+    object agree. The kernel's own volume of a long face with a hole is good to 1e-4 only."""
     assert plates.Status == "ok"
     value = plate_set.value(plates)
     assert list(plates.Marks)[-3:] == ["M1-E1", "M1-D1", "M1-D2"]
@@ -111,9 +120,9 @@ def test_solids_lose_their_openings_and_gain_the_flat_parts(plates):
                 )
             )
             assert solid.common(line).Length == pytest.approx(0.0, abs=1e-6)
-        assert solid.Volume == pytest.approx(plate.net_volume, rel=1e-4)
+        assert meshed_volume(solid) == pytest.approx(plate.net_volume, rel=5e-5)
     assert plates.Mass == pytest.approx(7.85e-6 * plates.Volume.Value, rel=1e-9)
-    assert sum(s.Volume for s in solids.values()) == pytest.approx(plates.Volume.Value, rel=1e-4)
+    assert sum(map(meshed_volume, solids.values())) == pytest.approx(plates.Volume.Value, rel=5e-5)
     # The kernel's volumes are good to 1e-5 only, which moves a centre 30 m off by 0.3 mm.
     volumes = [item.plate.net_volume for item in value.plates]
     volumes += [flat.volume for flat in value.flat]

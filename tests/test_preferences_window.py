@@ -20,7 +20,7 @@ def window(tmp_path_factory):
         pictures=PICTURES,
         document=save_document(folder / "existing.FCStd"),
     )
-    for step in ("before", "changed", "after"):
+    for step in ("before", "changed", "after", "language"):
         assert "failed" not in found[step], found[step]["failed"]
     return found
 
@@ -32,6 +32,7 @@ def test_a_fresh_profile_makes_what_the_scripting_interface_makes(window):
     assert new["M1 plates.StationSpacing"] == 500.0
     assert new["M1 plates.RulePack"] == "CN"
     assert new["A1.Tolerance"] == 0.005
+    assert new["M1.Slope2"] == 2.5 and new["M1 patterns.LayerNames"] == []
     # 4 m of a box 600 x 600 x 16.
     assert new["M1 plates.Volume"] == pytest.approx((600**2 - 568**2) * 4000.0)
 
@@ -44,6 +45,9 @@ def test_new_objects_start_with_what_is_preferred(window):
     assert new["M1 plates.RulePack"] == "EU"
     assert new["A1.Tolerance"] == 0.001
     assert new["M1 sheets.Author"] == "A. Detailer"
+    assert new["M1 sheets.SheetFormat"] == "A1"
+    assert new["M1.Slope2"] == 4.0
+    assert new["M1 patterns.LayerNames"] == ["CUT_OUTER=10"]
     assert new["M1 plates.Volume"] == pytest.approx((750 * 600 - 718 * 568) * 4000.0)
 
 
@@ -52,6 +56,18 @@ def test_a_macro_has_the_values_and_not_the_preference(window):
     lines = "\n".join(window["after"]["new"]["lines"])
     for text in ("h=750.0", "station_spacing=250.0", "rule_pack='EU'", "tolerance=0.001"):
         assert text in lines
+    assert "slope=4.0" in "\n".join(window["after"]["new"]["all"])
+    assert "layers={'CUT_OUTER': '10'}" in lines and "format='A1'" in lines
+
+
+def test_the_window_s_language_is_a_preference(window):
+    """English or Chinese, at once and when FreeCAD starts again."""
+    assert {"English", "简体中文"} <= set(window["changed"]["languages"])
+    assert window["language"] == {
+        "now": "Chinese Simplified",
+        "kept": "Chinese Simplified",
+        "word": "高度 h",
+    }
 
 
 def test_an_existing_document_keeps_every_number(window):

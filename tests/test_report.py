@@ -14,12 +14,14 @@ from BendTorsionWB.exchange.report import report_json, summary_lines, write_repo
 MEMBER_KEYS = (
     "member length_mm mass_kg axis_to_surface_rms_mm axis_to_surface_max_mm "
     "torsion_error_max_deg total_torsion_deg plates centre_of_gravity_mm painted_area_mm2 zones "
-    "pieces nodes"
+    "pieces nodes welds"
 )
 PLATE_KEYS = (
     "mark part face piece thickness_mm area_mm2 mass_kg length_mm width_mm length_error_max_mm "
     "length_error_rms_mm length_error_bound_mm strain_max forming dxf nc1 "
-    "centre_of_gravity_mm painted_area_mm2"
+    "centre_of_gravity_mm painted_area_mm2 material gross_length_mm gross_width_mm gross_area_mm2 "
+    "gross_mass_kg edge_error_mm line_error_mm diagonal_error_mm centre_line_error_mm "
+    "area_error_mm2 seam_mismatch_mm locked_in_stress_mpa"
 )
 FAILED = member(
     "M2",
@@ -55,7 +57,7 @@ def test_report_has_exactly_the_keys_of_the_contract(tmp_path):
     assert first["plates"][0]["dxf"] == "plates/M1-T1.dxf"
     assert first["plates"][0]["nc1"].startswith("nc1/") and first["plates"][0]["forming"] is None
     assert first["plates"][1]["strain_max"] is None
-    empty = {"member": "M2", "plates": [], "zones": [], "pieces": [], "nodes": []}
+    empty = {"member": "M2", "plates": [], "zones": [], "pieces": [], "nodes": [], "welds": []}
     assert second == {**dict.fromkeys(MEMBER_KEYS.split()), **empty}
     assert list(report["findings"][0]) == list(Finding.__dataclass_fields__)
     assert [finding["object"] for finding in report["findings"]] == ["x", "M2"]
@@ -96,6 +98,11 @@ def test_the_table_judges_each_figure_against_its_limit(changes, plate_changes, 
     row = next(line for line in lines if line.startswith("M1"))
     assert row.endswith("ok") == passed
     assert passed or row.endswith("FAIL" if "findings" in changes else "over")
+    # What the table marks is among the checks, at the plate or the member.
+    beyond = [f for f in report_json([record], (), "0")["findings"] if f["code"] != "clash"]
+    assert bool(beyond) == (not passed and "findings" not in changes)
+    assert {f["object"] for f in beyond} <= {"M1", "M1-T2"}
+    assert all(f["limit"] and f["message"] and f["mend"] for f in beyond)
     assert lines[-1].startswith(f"{int(passed)} of 1 members within the limits")
     if "findings" not in changes:
         assert ("!" in row) != passed

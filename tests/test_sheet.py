@@ -3,7 +3,9 @@
 
 import json
 import subprocess
+import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -287,16 +289,18 @@ def test_sheets_survive_json():
 
 def test_text_width_is_never_less_than_the_fonts():
     script = (
-        "from PySide2.QtGui import QFont, QFontMetricsF, QGuiApplication\n"
-        "app = QGuiApplication(['t', '-platform', 'offscreen'])\n"
-        "font = QFont('DejaVu Sans'); font.setPixelSize(729 * 4)\n"
+        "from BendTorsionWB.sheets.qt import qt_modules\n"
+        "_, qt = qt_modules()\n"
+        "app = qt.QGuiApplication(['t', '-platform', 'offscreen'])\n"
+        "font = qt.QFont('DejaVu Sans'); font.setPixelSize(729 * 4)\n"
         "import sys; text = sys.stdin.read()\n"
-        "print(*(QFontMetricsF(font).horizontalAdvance(t) / 2916 / 0.729\n"
+        "print(*(qt.QFontMetricsF(font).horizontalAdvance(t) / 2916 / 0.729\n"
         "        for t in text.splitlines()))\n"
     )
     samples = ["M12-T3", "L-12", "P-104", "-40000.5", "4000.0 × 812.3", "face top, WAV 3.2°", "–"]
     done = subprocess.run(
-        ["/usr/bin/python3", "-c", script],
+        [sys.executable, "-c", script],
+        cwd=Path(__file__).resolve().parent.parent,
         input="\n".join(samples),
         capture_output=True,
         encoding="utf-8",

@@ -15,7 +15,7 @@ from BendTorsionWB.core.drawings.sheet import Polyline, Sheet, Text
 from BendTorsionWB.core.drawings.sheet_layout import member_sheets
 from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.sheets.pdf import write_pdf
-from BendTorsionWB.sheets.svg import svg_text, write_svg
+from BendTorsionWB.sheets.svg import sized_anew, svg_document, svg_text, write_svg
 
 RECORD = strip_member(lengths=(2500.0, 3000.0))
 
@@ -88,6 +88,14 @@ def test_same_sheets_give_the_same_bytes_in_another_process_and_time_zone(tmp_pa
     )
     assert (tmp_path / "a.pdf").read_bytes() == (tmp_path / "b.pdf").read_bytes()
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.pdf", "b.pdf"]
+
+
+def test_a_symbol_of_another_qt_gets_the_size_of_this_one():
+    (sheet, *_) = member_sheets(RECORD)
+    pixels = svg_document(sheet, [], sheet.all_texts(), "", 96.0 / 25.4)
+    millimetres = svg_document(sheet, [], sheet.all_texts(), "mm")
+    assert pixels != millimetres == sized_anew(pixels, "mm")
+    assert sized_anew(millimetres, "", 96.0 / 25.4) == pixels
 
 
 def test_a_failed_pdf_leaves_the_old_file_and_no_other(tmp_path):

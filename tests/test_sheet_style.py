@@ -16,10 +16,13 @@ from BendTorsionWB.core.drawings.sheet import outside_frame, overlapping_texts
 from BendTorsionWB.core.drawings.sheet_arrangement import arrangement_sheets
 from BendTorsionWB.core.drawings.sheet_layout import member_sheets, piece_record
 from BendTorsionWB.core.drawings.sheet_style import FORMATS, SheetStyle, feet_inches
-from BendTorsionWB.core.drawings.sheet_symbols import projection_symbol, weld_symbol
+from BendTorsionWB.core.drawings.sheet_symbols import projection_symbol
 from BendTorsionWB.core.drawings.sheet_terms import CHINESE
+from BendTorsionWB.core.drawings.sheet_weld_symbol import GROOVE, weld_arrow, weld_symbol
 from BendTorsionWB.core.members.piece_record import Piece, PieceFigures
+from BendTorsionWB.core.lofting import GrossPattern
 from BendTorsionWB.core.site import SiteDatum
+from BendTorsionWB.core.welds.bevel_record import EdgeBevel
 from BendTorsionWB.core.welds.preps import prep_of
 from BendTorsionWB.core.welds.weld_record import Weld
 from BendTorsionWB.exchange.schedule_columns import SETTINGS
@@ -125,13 +128,30 @@ def test_the_assembly_drawing_says_what_the_shop_asks():
 
 
 def test_plate_drawings_have_panels_points_edges_and_figures():
-    sheets = [sheet for sheet in member_sheets(RECORD) if "flat patterns" in sheet.title]
+    first = RECORD.plates[0]
+    joint = next(w for w in RECORD.welds if w.kind == "joint" and first.mark in w.plates)
+    cut = EdgeBevel("end", "E-2", joint.mark, "butt", 0.0, 800.0, 0.0, (np.pi / 6, 18.0))
+    larger = GrossPattern(
+        first.outline, 2600.5, 810.5, 2.1e6, 333.3, 1.0, 1.0, np.zeros(2), 0.0, 0.0
+    )
+    first = replace(
+        first, bevels=(cut,), gross=larger, flattened_surface="inner", contour="widest"
+    )
+    record = replace(RECORD, plates=(first, *RECORD.plates[1:]))
+    sheets = [sheet for sheet in member_sheets(record) if "flat patterns" in sheet.title]
     words = " | ".join(words_of(sheets))
-    for plate in RECORD.plates:
-        assert f"{plate.mark}: points" in words and f"{plate.mark}: edges" in words
-        assert f"net {plate.length:.1f} × {plate.width:.1f}" in words
-    for wanted in ("quantity 1", "marking face: inside", "rolling direction along u", "bevel 30°"):
-        assert wanted in words
+    for plate in record.plates:
+        assert f"{plate.mark}: points, mm" in words and f"{plate.mark}: edges, mm" in words
+        assert f"net {plate.length:.1f} × {plate.width:.1f} mm, {plate.mass:.1f} kg" in words
+    rows = [row for s in sheets for t in s.tables for row in t.rows if row[0] == "E-2"]
+    wanted = ("0.0", "800.0", joint.mark.removeprefix("M1-"), "2.0", "30.0° × 18.0", "–", "0.0")
+    assert rows[0][2:9] == wanted
+    for wanted in (
+        *("gross 2600.5 × 810.5 mm, 333.3 kg", "quantity 1", "marking face: inside, up"),
+        *("rolling direction along u", "E-2 bevel 30° outside", "before forming, its inner face"),
+        *("contour of the widest outline", "radii and angles are of the finished plate"),
+    ):
+        assert wanted in words.replace("\n", " ").replace(" | ", " "), wanted
 
 
 def test_third_angle_has_the_plan_above_the_elevation():
@@ -153,25 +173,81 @@ def test_projection_symbols_show_the_small_end_the_right_way():
         assert (beside > large) == first_angle
 
 
-def test_weld_symbols_stand_on_the_side_of_the_standard():
-    """The arrow's side: above the line in ISO 2553, with a dashed line below; below it in AWS."""
-    for standard, sign in (("ISO", 1.0), ("AWS", -1.0)):
-        style = SheetStyle(standard=standard)
-        lines, texts = weld_symbol(BUTT, "field", "UT", 0.0, 0.0, style)
-        v = [line for line in lines if len(line.points) == 3 and line.points[0][0] < 11.0]
-        assert np.sign(np.array(v[0].points)[:, 1].sum()) == sign
-        assert any(line.style == "dashed" for line in lines) == (standard == "ISO")
-        assert any(len(line.points) == 4 for line in lines)  # the field flag
-        assert {text.text for text in texts} == {"60°", "2.0", "butt UT"}
-        inner = weld_symbol(prep_of("v angle=60 inner"), "shop", "", 0.0, 0.0, style)[0]
-        v = [line for line in inner if len(line.points) == 3]
-        assert np.sign(np.array(v[0].points)[:, 1].sum()) == -sign
-        assert not any(len(line.points) == 4 for line in inner)
-    double = weld_symbol(prep_of("double-v angle=60"), "shop", "", 0.0, 0.0, SheetStyle())[0]
-    heights = [np.array(line.points)[:, 1].sum() for line in double if len(line.points) == 3]
-    heights = [height for height in heights if height]  # without the tail
-    assert len(heights) == 2 and heights[0] == -heights[1] > 0.0
-    assert not any(line.style == "dashed" for line in double)
+def heights(lines, texts=()):
+    """Lowest and highest ordinate of the lines of a groove, which are as high as one."""
+    found = [np.array(line.points)[:, 1] for line in lines if line.style == "medium"]
+    return [(y.min(), y.max()) for y in found if np.ptp(y) > 0.9 * GROOVE]
+
+
+def symbol(words, style, thickness=20.0, place="shop", ndt=""):
+    return weld_symbol(prep_of(words), thickness, place, ndt, (0.0, 0.0), style)
+
+
+@pytest.mark.parametrize("standard", ["ISO", "AWS"])
+def test_weld_symbols_stand_on_the_side_of_the_standard(standard):
+    """The arrow's side: on the continuous line in ISO 2553, the other on the dashed one below it;
+    below the line in AWS A2.4, the other above."""
+    style, iso = SheetStyle(standard=standard), standard == "ISO"
+    lines, texts = symbol("butt: v angle=60 land=2 gap=2 outer", style, place="field", ndt="UT")
+    (low, high), *_ = heights([line for line in lines if len(line.points) == 3])
+    assert (low, high) == ((0.0, GROOVE) if iso else (-GROOVE, 0.0))
+    dashed = [line for line in lines if line.style == "dashed"]
+    assert len(dashed) == iso and all(y < 0.0 for line in dashed for _, y in line.points)
+    assert any(len(line.points) == 4 for line in lines)  # the field flag
+    assert {text.text for text in texts} == {"60°", "2", "butt UT"}
+    lines, _ = symbol("v angle=60 inner", style)
+    (low, high), *_ = heights([line for line in lines if len(line.points) == 3])
+    assert (high < 0.0 if iso else low == 0.0)
+    assert not any(len(line.points) == 4 for line in lines)
+    lines, _ = symbol("double-v angle=60", style)
+    both = sorted(heights([line for line in lines if len(line.points) == 3]))
+    assert both == [(-GROOVE, 0.0), (0.0, GROOVE)]
+    assert not any(line.style == "dashed" for line in lines)
+
+
+def test_the_upright_leg_of_a_bevel_is_on_the_left_whichever_way_the_line_runs():
+    for leftward in (True, False):
+        lines, _ = weld_symbol(CORNER, 20.0, "shop", "", (0.0, 0.0), SheetStyle(), leftward)
+        legs = [np.array(line.points) for line in lines if len(line.points) == 2]
+        upright = next(leg for leg in legs if leg[0, 0] == leg[1, 0])
+        slope = next(leg for leg in legs if leg[0, 0] != leg[1, 0] and leg[0, 1] != leg[1, 1])
+        assert upright[:, 0].max() <= slope[:, 0].min()
+
+
+@pytest.mark.parametrize(
+    ("words", "iso", "aws"),
+    [
+        ("bevel angle=45 land=6", "s14", "14"),  # a thick root face stays
+        ("bevel angle=45 land=2 gap=2", None, None),  # melted through
+        ("bevel angle=45 land=6 gap=6 backing=30x6", None, None),
+        ("double-v angle=60 land=8", "s6", "6"),  # each side
+        ("fillet leg=8", "z8", "8"),
+        ("double-fillet leg=6", "z6", "6"),
+        ("square gap=1", None, None),
+    ],
+)
+def test_depth_of_penetration_stands_left_of_the_symbol(words, iso, aws):
+    for style, wanted in ((SheetStyle(), iso), (SheetStyle(standard="AWS"), aws)):
+        prep = prep_of(words)
+        _, texts = symbol(words, style)
+        sizes = [text for text in texts if text.anchor == "end"]
+        sides = 2 if prep.type.startswith("double") else 1
+        assert [text.text for text in sizes] == ([wanted] * sides if wanted else [])
+
+
+def test_a_backing_bar_stands_opposite_the_groove():
+    for style, sign in ((SheetStyle(), -1.0), (SheetStyle(standard="AWS"), 1.0)):
+        lines, texts = symbol("v angle=45 gap=6 backing=30x6", style)
+        box = [np.array(line.points) for line in lines if len(line.points) == 4]
+        assert len(box) == 1 and sign * box[0][:, 1].mean() > 0.0
+        assert ("M" in {text.text for text in texts}) == style.first_angle
+
+
+def test_aws_breaks_the_arrow_to_the_one_plate_that_is_cut():
+    ends = ((6.0, 0.0), (0.0, -4.0))
+    assert len(weld_arrow(CORNER, *ends, SheetStyle(standard="AWS"))) == 3
+    assert len(weld_arrow(BUTT, *ends, SheetStyle(standard="AWS"))) == 2
+    assert len(weld_arrow(CORNER, *ends, SheetStyle())) == 2
 
 
 @pytest.mark.parametrize(

@@ -60,7 +60,7 @@ def test_a_foot_inside_its_face_goes_before_a_nearer_one_beyond_the_wires():
             [Vector(900, 0, 50), Vector(900, 900, 50), Vector(0, 900, 50), Vector(900, 0, 50)]
         )
     )
-    surface = surface_from_part(Part.makeCompound([low, high]))
+    surface = surface_from_part(Part.Compound([low, high]))
     foot = surface.closest([[200, 200, 40], [700, 700, 10]])
     assert np.allclose(foot.points[:, 2], [0, 50])
     assert not foot.outside.any()
@@ -73,7 +73,7 @@ def test_faces_that_meet_along_a_trimmed_edge_face_one_way():
     block.rotate(Vector(), Vector(1, 0.2, 0), 70)
     faces = [*dome.common(block).Faces, *(f.reversed() for f in dome.cut(block).Faces)]
     assert len(faces) >= 2
-    surface = surface_from_part(Part.makeCompound(faces))
+    surface = surface_from_part(Part.Compound(faces))
     assert any(patch.trim is not None for patch in surface.patches)
     rng = np.random.default_rng(4)
     up = np.abs(rng.normal(size=(500, 3)))

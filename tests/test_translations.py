@@ -45,7 +45,7 @@ def test_figures_come_in_the_same_fields(path):
 
 def test_the_compiled_files_are_those_of_the_sources():
     """Read by Qt, each .qm gives what its .ts says."""
-    from PySide2 import QtCore
+    from BendTorsionWB.gui.qt import QtCore
 
     for path in FILES:
         translator = QtCore.QTranslator()

@@ -282,7 +282,8 @@ def test_with_sheets_an_edit_reaches_the_pages_of_its_members_and_no_others(path
         for obj in ran:
             counts[obj.BT_Type] = counts.get(obj.BT_Type, 0) + 1
         pages = of_label(document, "M1 sheets", "SheetSet").PageCount
-        once = ("SectionSpec", "Member", "PlateSet", "Unfold", "SheetSet")
+        pages += of_label(document, "general arrangement", "ArrangementSet").PageCount
+        once = ("SectionSpec", "Member", "PlateSet", "Unfold", "SheetSet", "ArrangementSet")
         assert {kind: counts[kind] for kind in once} == dict.fromkeys(once, 1)
         assert counts["PageOutlines"] == counts["PageSymbol"] == pages > 1
         assert counts.get("Axis", 0) == counts.get("Surface", 0) == 0

@@ -103,6 +103,40 @@ def test_marks_and_points_are_shown_on_demand_and_hidden_with_the_plates(window)
     assert len(points) - len(lines) == 2 * len(lines)
 
 
+def test_labels_thin_out_as_one_goes_away(window):
+    """Near by most have room, from afar none has; no two ever lie on each other."""
+    found = seen(window, "thinning")
+    assert found["all"] > 100
+    near, nearer, nearest, far = found["seen"]
+    assert len(near) < found["all"] / 2
+    # Closer there is room for more of the few that are in sight: points beside lines and marks.
+    assert not any(text.startswith("P-") for text, *_ in near)
+    assert any(text.startswith("P-") for text, *_ in nearest)
+    assert any(text.startswith("M1-") for text, *_ in nearer)
+    assert len(far) <= 1
+    for labels in found["seen"]:
+        for k, (_, x, y, wide, high) in enumerate(labels):
+            for _, left, low, w, h in labels[k + 1 :]:
+                apart = x + wide <= left + 1 or left + w <= x + 1
+                assert apart or y + high <= low + 1 or low + h <= y + 1
+
+
+def test_what_was_hidden_stays_hidden_when_an_error_is_mended(window):
+    """Nothing is seen of a member in error; after it is mended, what was asked for last."""
+    found = seen(window, "hidden_in_error")
+    hidden, shown = [False] * 3, [True] * 3
+    wanted = {
+        "hidden skin": (hidden, shown),
+        "skin, plates wanted": (hidden, shown),
+        "plates, skin wanted": (shown, hidden),
+        "hidden by hand": (hidden, hidden),
+    }
+    for case, (member, plates) in wanted.items():
+        during, after = found[case]
+        assert during == {"M1": hidden, "M1 plates": hidden}, case
+        assert after == {"M1": member, "M1 plates": plates}, case
+
+
 def test_frames_of_an_axis_are_a_ribbon(window):
     found = seen(window, "frames")
     assert (found["before"], found["ribbons"], found["after"]) == (0, 1, 0)

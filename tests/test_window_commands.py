@@ -122,7 +122,7 @@ def test_a_value_that_cannot_be_is_marked_at_its_field(window):
     text, count, status = seen["bad"]
     assert "t_top fills half the section" in text and "make t_top thinner" in text
     assert count == 0 and status.startswith("error: B600")
-    assert seen["flagged"] == [True, False]
+    assert seen["flagged"] == [True, False] and seen["ok"] is False
 
 
 def test_member_panel_edits_segments(window):
@@ -149,6 +149,7 @@ def test_joints_as_text(window):
     seen = step(window, "plate_panels")
     assert seen["count"][1] == seen["count"][0] + 1
     assert seen["bad"][0] == [8000.0] and "write auto, or numbers" in seen["bad"][1]
+    assert seen["bad"][2] is False
     assert seen["kept"] == [[8000.0], ["Plates"]]
 
 
@@ -166,6 +167,7 @@ def test_diaphragms_are_pasted_as_rows(window):
     seen = step(window, "plate_panels")
     assert seen["diaphragms"] == [["3000", "7000"], [0.0, 2.0], "ok"]
     assert seen["bad_row"][0] == ["3000", "7000"] and "place cannot be read" in seen["bad_row"][1]
+    assert seen["bad_row"][2] is False and seen["mended"] is True
     assert seen["undo"][0] == "Diaphragms and end plates"
 
 
@@ -182,6 +184,17 @@ def test_table_takes_a_pasted_block_in_one_undo_step(window):
     assert seen["align"] == ["top", "bottom"]
     assert seen["bad"][0] == "nowhere" and "is none of centre, top" in seen["bad"][1]
     assert seen["steps"] == 1
+
+
+def test_table_tells_while_one_types_and_repeats_what_is_pasted(window):
+    """A cell is judged before it is left; Esc leaves it as it was. Quotes are a spreadsheet's."""
+    found = step(window, "table")
+    bad, good, offered, left = found["told"]
+    assert bad[0] and "nowhere" in bad[1] and good == [False, ""]
+    assert offered == 9 and left == "top"
+    assert found["repeated"] == [3.0, 3.0, "linear", "linear"]
+    # Cells between that are not selected are empty.
+    assert found["copied"] == "5200\t\n\t3"
 
 
 def test_table_fills_down_and_marks_members_in_error(window):

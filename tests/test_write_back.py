@@ -5,16 +5,19 @@ import math
 
 import FreeCAD
 import numpy as np
+import openpyxl
 import Part
 import pytest
 from curved_members import diagonal, irregular
 from test_build import APART, schedule
 
 from BendTorsionWB import make, project
+from BendTorsionWB.core.memo import content_hash
 from BendTorsionWB.document import build_document
 from BendTorsionWB.exchange.schedule import read_schedule
+from BendTorsionWB.exchange.schedule_columns import SETTINGS
 from BendTorsionWB.objects.plate_set import value as plates_of
-from BendTorsionWB.round_trip import difference, write_back
+from BendTorsionWB.round_trip import difference, write_back, write_document_back
 
 SPHERE = [
     (20000 * math.sin(a) * math.cos(b), 20000 * math.sin(a) * math.sin(b), 20000 * math.cos(a))
@@ -115,7 +118,10 @@ def test_a_surface_of_faces_and_an_axis_of_an_edge_go_along_as_files(document, t
     axis = make.make_axis(document, "A1", surface, edge=(line, "Edge1"), fit="keep")
     member(document, surface, axis)
     check(document, tmp_path / "back.xlsx")
-    assert {p.name for p in (tmp_path / "back files").iterdir()} == {"Hall surface.brep", "A1 axis.brep"}
+    assert {p.name for p in (tmp_path / "back files").iterdir()} == {
+        "Hall surface.brep",
+        "A1 axis.brep",
+    }
 
 
 AXES = {
@@ -210,3 +216,73 @@ def test_what_a_schedule_cannot_say_is_named(document, tmp_path):
     assert {("A1", "property Roll"), ("A1", "property ChordSag")} <= told
     assert all(f.code == "not-in-schedule" and f.mend for f in findings)
     assert made.Label == "M1"
+
+
+OTHER_SETTINGS = {
+    "project": "Hall",
+    "author": "AB",
+    "station_spacing": 450,
+    "default_slope": 3,
+    "transition_length": "total",
+    "axis_tolerance": 0.002,
+    "default_material": "S460",
+    "bed_face": "bottom",
+    "bed_plane": "middle",
+    "bed_spacing": 1500,
+    "bed_height": 650,
+    "pin_pitch": 900,
+    "lowest_pin": 200,
+    "template_pitch": 3000,
+    "template_clearance": 2,
+    "site_x": 1000,
+    "site_y": -2000.5,
+    "site_z": 50,
+    "site_rotation": 33,
+    "site_unit": "m",
+    "sheet_format": "A1",
+    "sheet_standard": "AWS",
+    "sheet_language": "zh",
+    "sheet_unit": "ft-in",
+    "rule_pack": "EU",
+    "mode": "energy",
+    "flattened_surface": "outer",
+    "marking_face": "outside",
+    "shrinkage_along": 0.3,
+    "shrinkage_across": 0.2,
+    "joint_allowance": 1.5,
+    "diaphragm_allowance": 0.5,
+    "green_start": 20,
+    "green_end": 25,
+    "splice": "before forming",
+    "contour": "widest",
+}
+
+
+@pytest.mark.parametrize("sheets", [True, False])
+def test_every_setting_comes_back(tmp_path, sheets):
+    assert set(OTHER_SETTINGS) == set(SETTINGS)
+    assert all(value != SETTINGS[key].default for key, value in OTHER_SETTINGS.items())
+    path = schedule(tmp_path / "given.xlsx", APART)
+    book = openpyxl.load_workbook(path)
+    for name in {"Settings", "Materials"} & set(book.sheetnames):
+        book.remove(book[name])
+    for name, rows in (
+        ("Settings", [("key", "value"), *OTHER_SETTINGS.items()]),
+        ("Materials", [("material", "density", "E", "fy"), ("S460", 7850, 210000, 460)]),
+    ):
+        page = book.create_sheet(name)
+        for row in rows:
+            page.append(row)
+    book.save(path)
+    given, jobs = project.read_jobs(path)
+    saved = tmp_path / "given.FCStd"
+    made = build_document(given, jobs, sheets)
+    made.saveAs(str(saved))
+    FreeCAD.closeDocument(made.Name)
+    assert write_document_back(saved, tmp_path / "back.xlsx") == ()
+    back, again = project.read_jobs(tmp_path / "back.xlsx")
+    assert back.settings.sheet_style == given.settings.sheet_style
+    assert back.settings.site == given.settings.site
+    assert {name: content_hash(job) for name, job in again.items()} == {
+        name: content_hash(job) for name, job in jobs.items()
+    }

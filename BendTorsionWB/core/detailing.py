@@ -108,11 +108,13 @@ def _geometry(given, axis, surface, frame, frames, found) -> MemberGeometry:
 
 @memoised
 def meeting_of(
-    through: MemberGeometry, other: MemberGeometry, given: NodeInput, rules: NodeRules
+    members: tuple[MemberGeometry, ...],
+    ranks: dict[str, int | None],
+    given: tuple[NodeInput, ...],
+    rules: NodeRules,
 ) -> Found:
-    """The node of two members, the first of which runs through, or the errors that say why there
-    is none."""
-    return find_nodes({g.member.name: g.member for g in (through, other)}, {}, (given,), rules)
+    """The nodes of a few members, or the errors that say why there are none."""
+    return find_nodes({g.member.name: g.member for g in members}, ranks, given, rules)
 
 
 def noded(geometry: MemberGeometry, nodes: MemberNodes) -> MemberGeometry:

@@ -82,6 +82,10 @@ class BendTorsionError(Exception):
         self.findings = (findings,) if isinstance(findings, Finding) else tuple(findings)
         super().__init__("\n".join(finding.line() for finding in self.findings))
 
+    def __reduce__(self):
+        # Exceptions are made anew from their arguments when a worker process hands them over.
+        return type(self), (self.findings,)
+
 
 def has_error(findings: Iterable[Finding]) -> bool:
     """True when any finding is an error."""

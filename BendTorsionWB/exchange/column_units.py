@@ -34,7 +34,7 @@ def with_units(table: Table) -> Table:
             unit = _SLOPES.get(table.name, unit) if column.name == "slope" else unit
             column = replace(column, unit=unit)
         if column.unit:
-            shown = len(column.name) + len(column.unit) + 4
+            shown = len(column.name) + len(column.unit) + 6
             column = replace(column, width=max(column.width, shown))
         columns.append(column)
     return replace(table, columns=tuple(columns))

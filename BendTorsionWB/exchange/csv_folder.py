@@ -6,6 +6,7 @@ from __future__ import annotations
 import csv
 import io
 import os
+import re
 import shutil
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -28,6 +29,8 @@ WHOLE = ".whole"
 """Folder within the folder, there only while its files are being written."""
 _SEPARATORS = (",", ";", "\t")
 _ENCODINGS = ("utf-8-sig", "gb18030")
+_FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
+_NUMBER = re.compile(r"[+-]?\d+(\.\d*)?([eE][+-]?\d+)?%?")
 
 
 def read_folder(folder: Path) -> openpyxl.Workbook:
@@ -96,7 +99,8 @@ def _rows(path: Path) -> list[list[str]]:
         raise csv.Error("it holds zero bytes")
     first = next((line for line in text.splitlines() if line.strip()), "")
     separator = max(_SEPARATORS, key=first.count)
-    return list(csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True))
+    rows = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
+    return [[_read(cell) for cell in row] for row in rows]
 
 
 def write_folder(folder: Path, sheets: Mapping[str, Sequence[Sequence]]) -> None:
@@ -138,5 +142,19 @@ def csv_bytes(rows: Sequence[Sequence]) -> bytes:
     """Rows of text, numbers and None as a CSV file; UTF-8 with the mark Excel needs."""
     stream = io.StringIO(newline="")
     writer = csv.writer(stream, lineterminator="\r\n")
-    writer.writerows([["" if cell is None else cell for cell in row] for row in rows])
-    return stream.getvalue().encode("utf-8-sig")
+    writer.writerows([[_written(cell) for cell in row] for row in rows])
+    return stream.getvalue().encode("utf-8-sig", "replace")
+
+
+def _written(cell):
+    """A cell as written; text no spreadsheet takes for a formula: with an apostrophe before it."""
+    if cell is None:
+        return ""
+    if isinstance(cell, str) and cell.startswith(_FORMULA_STARTS) and not _NUMBER.fullmatch(cell):
+        return f"'{cell}"
+    return cell
+
+
+def _read(cell: str) -> str:
+    """A cell without the apostrophe `_written` puts before it."""
+    return cell[1:] if cell[:1] == "'" and cell[1:].startswith(_FORMULA_STARTS) else cell

@@ -3,11 +3,10 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Iterator, Sequence
 
 from ..core.lofting import DevelopedPlate, MemberRecord
+from .csv_folder import csv_bytes
 from .report import dxf_name
 from .xlsx_file import TENTH, TEXT, WHOLE, Column, Table
 
@@ -56,28 +55,32 @@ def cutting_tables(records: Sequence[MemberRecord]) -> tuple[Table, ...]:
 
 def nesting_csv(records: Sequence[MemberRecord]) -> bytes:
     """The list nesting programs take: part, thickness, grade, quantity, DXF and rolling direction
-    of each part. UTF-8 with a byte order mark, so that spreadsheets read any script."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\r\n")
-    writer.writerow(("part", "thickness", "material", "quantity", "dxf", "rolling_direction"))
+    of each part, its gross size and mass, and the marks it is. UTF-8 with a byte order mark, so
+    that spreadsheets read any script."""
+    rows = [NESTING]
     for plates in _parts(records):
         one = plates[0]
-        row = (
-            one.part,
-            f"{one.thickness:g}",
-            one.material,
-            len(plates),
-            dxf_name(one.mark),
-            ROLLING,
+        gross = one.gross or one
+        rows.append(
+            (
+                one.part,
+                f"{one.thickness:g}",
+                one.material,
+                len(plates),
+                dxf_name(one.mark),
+                ROLLING,
+                f"{gross.length:.1f}",
+                f"{gross.width:.1f}",
+                f"{gross.mass:.2f}",
+                " ".join(plate.mark for plate in plates),
+            )
         )
-        writer.writerow(map(_safe, row))
-    return b"\xef\xbb\xbf" + text.getvalue().encode("utf-8", "replace")
+    return csv_bytes(rows)
 
 
-def _safe(cell: object) -> str:
-    """A cell no spreadsheet takes for a formula."""
-    text = str(cell)
-    return f"'{text}" if text[:1] in "=+-@\t\r" else text
+NESTING = ("part", "thickness", "material", "quantity", "dxf", "rolling_direction")
+NESTING += ("length", "width", "mass", "marks")
+"""Headings of the nesting list; mm, kg of one."""
 
 
 def _parts(records: Sequence[MemberRecord]) -> list[list[DevelopedPlate]]:

@@ -111,10 +111,10 @@ def draw_plate(
     add_face_marks(drawn, plate, names[MARK_LINE], names[PUNCH], tolerance)
     # Texts last, the large ones first: each takes what room the lines and other texts leave.
     centre, layer = _centre(plate), names[MARK_TEXT]
-    panels = clear_fields(plate, _panels(plate))
-    height = _text_height(plate, panels)
-    if panels:
-        _add_identity(drawn, plate, panels, layer, height)
+    fields = _longest(clear_fields(plate, _panels(plate)))
+    height = _text_height(plate, fields)
+    if fields:
+        _add_identity(drawn, plate, fields, layer, height)
     else:
         _add_flat_identity(drawn, plate, layer)
     add_face_texts(drawn, plate, centre, height, layer)
@@ -203,9 +203,9 @@ def _add_points(space: Space, plate: DevelopedPlate, names: Mapping[str, str]) -
             space.add_point(flat, names[layer])
 
 
-def _add_identity(drawn: Pattern, plate: DevelopedPlate, panels: list, layer: str, height: float):
-    """The plate's identity and its direction, in one of its longest panels."""
-    panel = _longest(panels)[0]
+def _add_identity(drawn: Pattern, plate: DevelopedPlate, fields: list, layer: str, height: float):
+    """The plate's identity and its direction, in one of the fields."""
+    panel = fields[0]
     foot, head = panel[0].mean(axis=0), panel[1].mean(axis=0)
     forward = (head - foot) / np.hypot(*(head - foot))
     rows = identity(plate)
@@ -215,7 +215,7 @@ def _add_identity(drawn: Pattern, plate: DevelopedPlate, panels: list, layer: st
     if reading[0 if reads_along else 1] < 0.0:
         reading = -reading
     wide = max(map(len, rows)) * CHARACTER_WIDTH
-    level, up, height = drawn.block(rows, wide, height, reading, _longest(panels), layer, below=1)
+    level, up, height = drawn.block(rows, wide, height, reading, fields, layer, below=1)
     # The arrow takes the row below the text, and its name stands after it.
     reach = 2.0 * height if reads_along else 0.6 * height
     tip = level + reach * forward
@@ -270,11 +270,11 @@ def _longest(panels: list[tuple[np.ndarray, np.ndarray]]) -> list[tuple[np.ndarr
     return [panels[k] for k in order[:3]]
 
 
-def _text_height(plate: DevelopedPlate, panels: list[tuple[np.ndarray, np.ndarray]]) -> float:
-    """Height at which the identity fits into its field, mm."""
-    if not panels:
+def _text_height(plate: DevelopedPlate, fields: list[tuple[np.ndarray, np.ndarray]]) -> float:
+    """Height at which the identity fits into the first of the fields, mm."""
+    if not fields:
         return SMALLEST_TEXT
-    fitting, _ = _text_fit(_longest(panels)[0], identity(plate))
+    fitting, _ = _text_fit(fields[0], identity(plate))
     return round(max(SMALLEST_TEXT, fitting), 1)
 
 

@@ -31,6 +31,16 @@ def bevel_text(bevel: EdgeBevel, marking_face: str, thickness: float) -> str:
     return f"{angles} deg {ways}" + (f" land {land:g}" if land > 0.05 else "")
 
 
+def edge_texts(plate: DevelopedPlate) -> str:
+    """All bevels of a plate in words: `left 0-1520: 45.0 deg down land 6; ...`, places on the axis
+    in mm; empty of a plate without."""
+    return "; ".join(
+        f"{bevel.edge} {bevel.start:.0f}-{bevel.end:.0f}: "
+        + bevel_text(bevel, plate.marking_face, plate.thickness)
+        for bevel in plate.bevels
+    )
+
+
 def add_bevel_texts(
     drawn: Pattern, plate: DevelopedPlate, layer: str, centre, height: float
 ) -> None:
@@ -58,7 +68,7 @@ def _boxes(letters: int, start, way, reach: float, inward, height: float) -> Box
     size = min(height, 0.7 * reach / letters)
     beside = size >= SMALLEST_TEXT
     # Beside a short stretch the text runs into the plate.
-    sizes = np.unique([round(max(SMALLEST_TEXT, size * part), 1) for part in (1.0, 0.7)])[::-1]
+    sizes = [round(max(SMALLEST_TEXT, size * part), 1) for part in (1.0, 0.7)]
     size, step = (grid.ravel() for grid in np.meshgrid(sizes, _STEPS, indexing="ij"))
     middles = start + (step * reach)[:, None] * way + _INSET * inward
     if beside:

@@ -24,6 +24,9 @@ _LOW, _HIGH, _MIDDLE = (-71111.25, -72222.25), (73333.25, 74444.25), (75555.25, 
 _VIEW_HEIGHT = 77777.25
 _PLACES = re.compile(r"  0\nPOINT\n  5\n([0-9A-F]+)\n330\n([0-9A-F]+)\n.*?\n 30\n0\.0\n", re.S)
 _SEED = re.compile(r"(\$HANDSEED\n  5\n)([0-9A-F]+)")
+_ENTITIES, _SECTION_END = "\n  2\nENTITIES\n", "  0\nENDSEC\n"
+_ENTITY = re.compile(r"  0\n([A-Z]+)\n  5\n[0-9A-F]+\n330\n[0-9A-F]+\n100\nAcDbEntity\n  8\n")
+_FAR_CORNER = re.compile(r"\$EXTMAX\n 10\n(.*)\n 20\n(.*)\n")
 
 
 @dataclass(frozen=True)
@@ -96,6 +99,19 @@ def dxf_bytes(
         text = text.replace(f"\n{stand_in}\n", f"\n{value}\n")
     text = _SEED.sub(rf"\g<1>{handle:X}", text, count=1)
     return text.encode("utf-8", "replace")
+
+
+def read_model(content: bytes) -> tuple[Space, tuple[float, float]]:
+    """What `dxf_bytes` drew in the model of a file of ours, and the far corner of its extents: to
+    be drawn again elsewhere. Reads no other DXF."""
+    text = content.decode("utf-8")
+    start = text.index(_ENTITIES) + len(_ENTITIES)
+    _, *found = _ENTITY.split(text[start : text.index(_SECTION_END, start)])
+    entities = [
+        (kind, *rest.split("\n", 1)) for kind, rest in zip(found[::2], found[1::2], strict=True)
+    ]
+    x, y = _FAR_CORNER.search(text).groups()
+    return Space(entities), (float(x), float(y))
 
 
 def place(flat) -> tuple[float, float]:

@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ..core.geometry.arc_contour import runs
+
 SMALLEST_TEXT = 2.5  # mm; below this no plotter marks legibly
 CHARACTER_WIDTH = 1.0  # width over height of a letter, on the safe side
 CLEARANCE = 0.2
@@ -15,7 +17,12 @@ CLEARANCE = 0.2
 
 _SIZES = (1.0, 0.8, 0.64, 0.5)
 _STARTS = (0.0, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3, 0.4, -0.4)
-_CHORD = 0.2  # rad; arcs are as long as chords that turn by this
+# Places along a line in the order they are wanted: sizes, sides, and steps from the first.
+_SIZE, _SIDE, _STEP = (
+    grid.ravel().copy()
+    for grid in np.meshgrid(range(len(_SIZES)), (1.0, -1.0), _STARTS, indexing="ij")
+)
+_SAGITTA = 1.0  # mm; how far chords may be off the arcs they stand for
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,26 +53,30 @@ class Room:
 
     def add_contour(self, arcs: np.ndarray, close: bool = True) -> None:
         """A polyline of arcs (m, 3)."""
-        following = np.roll(arcs[:, :2], -1, axis=0)
-        pairs = list(zip(arcs, following, strict=True))
-        chords = []
-        for (x, y, bulge), end in pairs if close else pairs[:-1]:
-            chords.append(_chords(np.array([x, y]), end, bulge))
-        self.add_lines(np.concatenate(chords))
+        sides = runs(arcs, _SAGITTA)
+        for side in sides if close else sides[:-1]:
+            self.add_lines(np.stack([side[:-1], side[1:]], axis=1))
 
     def clear(self, boxes: Boxes) -> int:
         """Number of the first box that nothing reaches into, else of the one fewest lines do; it
         is taken from then on."""
         lines = np.concatenate(self.parts) if self.parts else np.zeros((0, 2, 2))
-        # Mostly the first is free: the others are many.
-        chosen = 0
-        if _reaching(boxes, lines, slice(0, 1))[0]:
-            chosen = int(np.argmin(_reaching(boxes, lines, slice(None))))
+        # Mostly the first is free, then one as large: the others need not be looked at.
+        chosen, fewest = 0, np.inf
+        sizes = np.flatnonzero(np.diff(boxes.text)) + 1
+        edges = np.unique([0, 1, *sizes, len(boxes.text)])
+        for start, stop in zip(edges[:-1], edges[1:], strict=True):
+            hits = _reaching(boxes, lines, slice(start, stop))
+            best = int(np.argmin(hits))
+            if hits[best] < fewest:
+                chosen, fewest = int(start) + best, int(hits[best])
+            if not fewest:
+                break
         corner, reading, up = boxes.corners[chosen], boxes.reading[chosen], boxes.up[chosen]
         high = float(boxes.heights[chosen])
         # Lines along it, close enough that no other text finds room between them.
-        rises = np.linspace(0.0, high, 1 + max(1, round(high / float(boxes.text[chosen]))))
-        feet = corner + rises[:, None] * up
+        count = max(1, round(high / float(boxes.text[chosen])))
+        feet = corner + np.arange(count + 1)[:, None] * (high / count) * up
         self.add_lines(np.stack([feet, feet + boxes.widths[chosen] * reading], axis=1))
         return chosen
 
@@ -83,17 +94,15 @@ def along(
     reading = way if way[1] > 0.0 or (way[1] == 0.0 and way[0] > 0.0) else -way
     left = np.array([-reading[1], reading[0]])
     here = 1.0 if float(((centre - start) * left).sum()) > -0.01 else -1.0
-    size, side, step = (
-        grid.ravel() for grid in np.meshgrid(sizes, [here, -here], _STARTS, indexing="ij")
-    )
+    size = np.array(sizes)[_SIZE]
     wide = len(text) * CHARACTER_WIDTH * size
-    first = (at + step) * length
-    may = (step == 0.0) | ((first >= 0.0) & (first <= length - wide))
-    size, side, first, wide = size[may], side[may], first[may], wide[may]
+    first = (at + _STEP) * length
+    may = (_STEP == 0.0) | ((first >= 0.0) & (first <= length - wide))
+    size, side, first, wide = size[may], here * _SIDE[may], first[may], wide[may]
     foot = first if reading is way else first + wide
     beside = np.where(side > 0.0, 0.4, -1.4) * size
     corners = start + foot[:, None] * way + beside[:, None] * left
-    return Boxes(corners, np.tile(reading, (len(size), 1)), wide, size, size)
+    return Boxes(corners, np.broadcast_to(reading, corners.shape), wide, size, size)
 
 
 def blocks(
@@ -105,7 +114,7 @@ def blocks(
 ) -> Boxes:
     """Places of a block of text `wide` and `high` text heights large, in fields between two lines
     (2, 2) each, wanted first: in the middle of the first field, in the given height."""
-    steps = np.array([0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8])
+    steps = np.array([0.5, 0.35, 0.65, 0.2, 0.8])
     a, b = (grid.ravel() for grid in np.meshgrid(steps, steps, indexing="ij"))
     order = np.argsort(np.maximum(abs(a - 0.5), abs(b - 0.5)), kind="stable")
     a, b = a[order, None], b[order, None]
@@ -125,27 +134,9 @@ def blocks(
     )
 
 
-def _heights(height: float) -> np.ndarray:
+def _heights(height: float) -> list[float]:
     """Text heights to try, mm, rounded as they are written."""
-    return np.unique([round(max(SMALLEST_TEXT, height * part), 1) for part in _SIZES])[::-1]
-
-
-def _chords(start: np.ndarray, end: np.ndarray, bulge: float) -> np.ndarray:
-    """An arc as chords (k, 2, 2)."""
-    count = 1 + int(4.0 * abs(np.arctan(bulge)) / _CHORD)
-    if count == 1 or not bulge:
-        return np.array([[start, end]])
-    half = 0.5 * (end - start)
-    # A point of the arc by the tangent of a quarter of its angle from the start.
-    share = np.linspace(0.0, 1.0, count + 1)[1:-1]
-    angle = 4.0 * np.arctan(bulge)
-    radius = float(np.hypot(*half)) / abs(np.sin(0.5 * angle))
-    centre = start + half + np.array([-half[1], half[0]]) / np.tan(0.5 * angle)
-    first = np.arctan2(*(start - centre)[::-1])
-    turned = first + share * angle
-    inner = centre + radius * np.column_stack([np.cos(turned), np.sin(turned)])
-    points = np.concatenate([[start], inner, [end]])
-    return np.stack([points[:-1], points[1:]], axis=1)
+    return [round(max(SMALLEST_TEXT, height * part), 1) for part in _SIZES]
 
 
 def _reaching(boxes: Boxes, lines: np.ndarray, which: slice) -> np.ndarray:

@@ -8,11 +8,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..core.geometry.arc_fit import fit_outline
 from ..core.lofting import DevelopedPlate, MemberRecord
-from ..core.patterns.cut_contour import cut_contour
-from .dxf import LAYERS, draw_plate, layers_of
-from .dxf_file import Space, dxf_bytes
+from .dxf import LAYERS, layers_of
+from .dxf_file import Space, dxf_bytes, read_model
 
 GAP = 100.0
 """mm; distance of the plates."""
@@ -37,18 +35,19 @@ def groups_of(records: Sequence[MemberRecord]) -> dict[str, list[DevelopedPlate]
     return named
 
 
-def nest_dxf(plates: Sequence[DevelopedPlate]) -> bytes:
-    """The file: DXF R2010, 1:1, mm; every plate, as in its own file, is a block named by its mark
-    and inserted once, on shelves from the left; layer 0 holds the insertions only."""
-    cuts = [cut_contour(plate).plate for plate in plates]
-    sizes = np.array([[cut.length, cut.width] for cut in cuts])
+def nest_dxf(files: Sequence[tuple[str, bytes]]) -> bytes:
+    """The file, of plates by mark and content of their own files: DXF R2010, 1:1, mm; every plate,
+    as in its own file, is a block named by its mark and inserted once, on shelves from the left;
+    layer 0 holds the insertions only."""
+    drawn = [read_model(content) for _, content in files]
+    sizes = np.array([size for _, size in drawn])
     places = shelves(sizes)
     model, blocks = Space(), {}
-    for cut, corner in zip(cuts, places, strict=True):
-        name = _REFUSED.sub("_", cut.mark)
+    for (mark, _), (space, _), corner in zip(files, drawn, places, strict=True):
+        name = _REFUSED.sub("_", mark)
         while name in blocks:
             name += "_"
-        blocks[name] = draw_plate(cut, fit_outline(cut.outline, name=cut.mark))
+        blocks[name] = space
         model.add_block(name, corner)
     corners = np.concatenate([places, places + sizes])
     return dxf_bytes(layers_of(LAYERS), corners, model, blocks)

@@ -7,11 +7,13 @@ import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from html import escape
+from urllib.parse import quote
 
 from ..core.error_sources import ErrorSource
 from ..core.finding import Finding
 from ..core.lofting import MemberRecord
-from . import report
+from . import figures, report
+from .cutting_tables import cutting_tables
 from .whole_file import write_whole
 
 _STYLE = """
@@ -32,6 +34,7 @@ th { background: #f2f5f8; position: sticky; top: 0 }
 td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap }
 td.over { color: #b3261e; font-weight: 600 }
 .error { color: #b3261e } .warning { color: #8a5a00 } .note { color: #41607d }
+details { margin: 6px 0 } summary { cursor: pointer } details svg { width: 100%; height: auto }
 @media print { th { position: static } body { max-width: none } }
 """
 
@@ -51,8 +54,11 @@ def html_report(
     version: str,
     pictures: Sequence[Picture] = (),
     sources: Sequence[ErrorSource] = (),
+    patterns: Sequence[Picture] = (),
+    files: Iterable[tuple[str, str]] = (),
 ) -> str:
-    """The whole page, nothing outside it needed to show it."""
+    """The whole page, nothing outside it needed to show it. pictures: at the top; patterns: below,
+    to be unfolded; files: of the folder the page lies in, by name, and what is in them."""
     known = report.all_findings(records, findings)
     title = escape(project or "BendTorsion project")
     parts = [
@@ -60,19 +66,24 @@ def html_report(
         f'<p class="sub">Report of BendTorsion {escape(version)}. '
         "Lengths in mm, masses in kg, angles in degrees.</p>",
         _tiles(records, known),
-        *(
-            f"<figure>{picture.svg}<figcaption>{escape(picture.caption)}</figcaption></figure>"
-            for picture in pictures
-            if picture.svg
-        ),
+        *(_figure(picture) for picture in pictures if picture.svg),
         "<h2>Figures against limits</h2>",
         _figures(records, known),
         "<h2>Error sources, the largest first</h2>",
         _sources(sources),
         "<h2>Findings</h2>",
         _findings(known),
+        "<h2>Flat patterns</h2>",
+        *(_unfolding(picture) for picture in patterns if picture.svg),
+        "<h2>Cutting list</h2>",
+        _cutting(records),
+        "<h2>Pieces</h2>",
+        _pieces(records),
+        *_nodes(records),
         "<h2>Plates</h2>",
         _plates(records),
+        "<h2>Files of this folder</h2>",
+        _table(["file", "what is in it"], [[_link(name), _cell(what)] for name, what in files]),
     ]
     return (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
@@ -81,6 +92,21 @@ def html_report(
         + "\n".join(parts)
         + "\n</body></html>\n"
     )
+
+
+def _figure(picture: Picture) -> str:
+    return f"<figure>{picture.svg}<figcaption>{escape(picture.caption)}</figcaption></figure>"
+
+
+def _unfolding(picture: Picture) -> str:
+    return f"<details><summary>{escape(picture.caption)}</summary>{picture.svg}</details>"
+
+
+def _link(name: str) -> str:
+    """A file of the folder; one of several, such as `plates/<mark>.dxf`, is a name only."""
+    if "<" in name:
+        return _cell(name)
+    return f'<td><a href="{escape(quote(name))}">{escape(name)}</a></td>'
 
 
 def write_html_report(path: str | os.PathLike, *given, **more) -> None:
@@ -107,7 +133,7 @@ def _tiles(records: Sequence[MemberRecord], known: Sequence[Finding]) -> str:
 
 
 def _figures(records: Sequence[MemberRecord], known: Sequence[Finding]) -> str:
-    names = [name for name, _, _ in report.FIGURES]
+    names = [name for name, _, _ in figures.FIGURES]
     header = ["member", "sections", "plates", "length", "mass", *names, "result"]
     rows = []
     for record in records:
@@ -118,13 +144,13 @@ def _figures(records: Sequence[MemberRecord], known: Sequence[Finding]) -> str:
             _number(record.length, 0),
             _number(record.mass, 1),
         ]
-        for (_, limit, digits), value in zip(report.FIGURES, report.figures(record), strict=True):
+        for (_, limit, digits), value in zip(figures.FIGURES, figures.figures(record), strict=True):
             over = value is not None and not value <= limit
             cells.append(_number(value, digits, "over" if over else ""))
         cells.append(_cell(report.verdict(record, known)))
         rows.append(cells)
     limits = [*(_cell("") for _ in range(4)), _cell("limit")]
-    limits += [_number(limit, digits) for _, limit, digits in report.FIGURES]
+    limits += [_number(limit, digits) for _, limit, digits in figures.FIGURES]
     return _table(header, [*rows, [*limits, _cell("")]], numbers=range(2, 10))
 
 
@@ -164,6 +190,82 @@ def _findings(known: Sequence[Finding]) -> str:
     ]
     header = ["", "object", "where", "what", "value", "limit", "what mends it"]
     return _table(header, rows, numbers=(4, 5))
+
+
+def _cutting(records: Sequence[MemberRecord]) -> str:
+    """Totals by thickness and grade, the numbers of sheet CuttingTotals."""
+    _, totals = cutting_tables(records)
+    rows = [
+        [
+            _number(thickness, 0),
+            _cell(material),
+            _number(float(parts), 0),
+            _number(float(plates), 0),
+            *(
+                _number(value * factor, digits)
+                for value, factor, digits in zip(sums, (1e-6, 1.0) * 2, (2, 1) * 2, strict=True)
+            ),
+        ]
+        for thickness, material, parts, plates, *sums in totals.rows
+    ]
+    header = ["t", "grade", "parts", "plates", "net, m²", "net, kg", "gross, m²", "gross, kg"]
+    return _table(header, rows, numbers=(0, 2, 3, 4, 5, 6, 7))
+
+
+def _pieces(records: Sequence[MemberRecord]) -> str:
+    rows = [
+        [
+            _cell(record.member),
+            _number(float(own.piece.number), 0),
+            _number(own.piece.start, 0),
+            _number(own.piece.end, 0),
+            _number(float(len(own.marks)), 0),
+            _number(own.mass, 1),
+            _cell(" ".join(f"{value:.0f}" for value in own.centre_of_gravity)),
+        ]
+        for record in records
+        for own in record.pieces
+    ]
+    header = ["member", "piece", "from", "to", "parts", "mass", "centre of gravity, model"]
+    return _table(header, rows, numbers=(1, 2, 3, 4, 5))
+
+
+def _nodes(records: Sequence[MemberRecord]) -> list[str]:
+    """The list of nodes; nothing without any."""
+    nodes = [node for record in records for node in record.nodes]
+    if not nodes:
+        return []
+    rows = [
+        [
+            _cell(node.node),
+            _cell(node.kind),
+            _cell(node.through),
+            _number(node.s_through, 0),
+            _cell(node.other),
+            _number(node.s_other, 0),
+            _number(report.degrees(node.angle), 2),
+            _cell(node.type),
+            _number(node.gap, 1),
+            _cell(", ".join(node.faces)),
+            _limited(node.largest_step, node.limits and node.limits[0]),
+            _limited(
+                report.degrees(node.largest_angle), node.limits and report.degrees(node.limits[1])
+            ),
+            _number(float(node.diaphragms), 0),
+        ]
+        for node in sorted(nodes, key=lambda node: (node.through, node.s_through))
+    ]
+    header = [
+        *("node", "kind", "through", "s", "branch", "s of branch", "angle", "type", "root gap"),
+        *("lands on", "flange step", "flange angle", "diaphragms"),
+    ]
+    return ["<h2>Nodes</h2>", _table(header, rows, numbers=(3, 5, 6, 8, 10, 11, 12))]
+
+
+def _limited(value: float | None, limit: float | None) -> str:
+    """A figure, marked where it is over its limit."""
+    over = value is not None and limit is not None and value > limit
+    return _number(value, 2, "over" if over else "")
 
 
 def _plates(records: Sequence[MemberRecord]) -> str:

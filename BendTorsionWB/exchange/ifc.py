@@ -16,6 +16,7 @@ import numpy as np
 from ..core.lofting import DevelopedPlate
 from ..core.site import AT_ORIGIN, SiteDatum
 from ..core.solids.boundary import Boundary, Circle, Cylinder, Line, Plane, SplineSurface
+from .dxf_bevels import edge_texts
 
 _DIGITS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$"
 
@@ -84,6 +85,11 @@ def _real(value: float) -> str:
     return text[:-1] if text.endswith(".0") else text
 
 
+def _rounded(values, decimals: int) -> np.ndarray:
+    """Without last digits, which saving a document may change, and without negative zeros."""
+    return np.round(np.asarray(values, float), decimals) + 0.0
+
+
 def _reals(values) -> str:
     return "(" + ",".join(map(_real, np.asarray(values, float).tolist())) + ")"
 
@@ -115,10 +121,10 @@ class _File:
         return f"'{global_id(self.project, *names)}'"
 
     def point(self, xyz) -> str:
-        return self.add(f"IFCCARTESIANPOINT({_reals(xyz)})")
+        return self.add(f"IFCCARTESIANPOINT({_reals(_rounded(xyz, 9))})")
 
     def direction(self, xyz) -> str:
-        return self.once(f"IFCDIRECTION({_reals(xyz)})")
+        return self.once(f"IFCDIRECTION({_reals(_rounded(xyz, 12))})")
 
     def placement(self, origin, axis=(0.0, 0.0, 1.0), x=(1.0, 0.0, 0.0)) -> str:
         return self.add(
@@ -236,6 +242,9 @@ class _File:
                 ("Forming", f"IFCLABEL({_text(plate.forming or '')})"),
                 ("FlatLength", f"IFCLENGTHMEASURE({_real(plate.length)})"),
                 ("FlatWidth", f"IFCLENGTHMEASURE({_real(plate.width)})"),
+                ("MarkingFace", f"IFCLABEL({_text(plate.marking_face)})"),
+                # Grooves are not in the solid: they are told as the cut files tell them.
+                ("EdgePreparations", f"IFCTEXT({_text(edge_texts(plate))})"),
             )
         ]
         sets = [

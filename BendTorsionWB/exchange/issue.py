@@ -41,6 +41,8 @@ from BendTorsionWB.exchange.xlsx_file import TENTH, TEXT, WHOLE, Column, Table, 
 ISSUED = "issued"
 TRANSMITTAL = "transmittal"
 OUTLINES = "outlines.npz"
+KEPT_OUTLINES = ".bendtorsion-outlines.npz"
+"""The outlines of the plates of a folder, as the last build left them."""
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9.-]{0,15}")
 _NOT_ISSUED = ("revision.xlsx", "revision.json", "report.json")
 

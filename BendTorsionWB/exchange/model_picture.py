@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from html import escape
 
 import numpy as np
 
@@ -50,9 +51,19 @@ def model_svg(
         corners = " ".join(f"{x:.1f},{y:.1f}" for x, y in points[k])
         fill = "#{:02x}{:02x}{:02x}".format(*rgb[k])
         lines.append(f'<polygon points="{corners}" fill="{fill}" stroke="{fill}"/>')
+    for k, record in enumerate(records):
+        own = points[owner == k]
+        if len(own):
+            x, y = own[:, :, 0].mean(), own[:, :, 1].mean()
+            nearest = own.reshape(-1, 2)
+            x, y = nearest[np.argmin(((nearest - [x, y]) ** 2).sum(axis=1))]
+            place = f'x="{x:.1f}" y="{y:.1f}" text-anchor="middle"'
+            place += ' paint-order="stroke" stroke="#ffffff" stroke-width="3"'
+            lines.append(f"<text {place}>{escape(record.member)}</text>")
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {wide:.0f} {tall:.0f}" '
-        'stroke-width="0.4" stroke-linejoin="round" role="img">\n' + "\n".join(lines) + "\n</svg>"
+        'stroke-width="0.4" stroke-linejoin="round" role="img" font-size="12" '
+        'font-family="DejaVu Sans, sans-serif">\n' + "\n".join(lines) + "\n</svg>"
     )
 
 

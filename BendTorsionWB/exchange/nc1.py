@@ -14,7 +14,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..core.finding import BendTorsionError, error
-from ..core.geometry.arc_contour import reversed_contour
+from ..core.geometry.arc_contour import extents, reversed_contour
 from ..core.geometry.arc_fit import FIT_TOLERANCE, fit_runs
 from ..core.lofting import DevelopedPlate, FlatMark, FoldLine
 from ..core.patterns.cut_contour import cut_contour
@@ -52,7 +52,7 @@ def plate_nc1(plate: DevelopedPlate, order: str = "", drawing: str = "") -> byte
                 unit="mm",
             )
         )
-    lines = ["ST", *_header(plate, order, drawing)]
+    lines = ["ST", *_header(plate, outline, order, drawing)]
     bevels = [_bevel_fields(cut.bevels[k], plate) for k in run]
     lines += ["AK", *_contour(outline, bevels)]
     for hole in plate.holes:
@@ -99,8 +99,10 @@ def _fold_text(plate: DevelopedPlate, fold: FoldLine) -> str:
     return f"{fold.label} {abs(math.degrees(fold.angle)):.1f} deg {way}"
 
 
-def _header(plate: DevelopedPlate, order: str, drawing: str) -> list[str]:
+def _header(plate: DevelopedPlate, outline: np.ndarray, order: str, drawing: str) -> list[str]:
     thickness = plate.thickness
+    # Of the contour as it stands below, which readers compare, not of the pattern it is fitted to.
+    length, width = extents(outline)
     texts = [
         order or plate.member,
         drawing or plate.member,
@@ -108,20 +110,21 @@ def _header(plate: DevelopedPlate, order: str, drawing: str) -> list[str]:
         plate.mark,
         plate.material,
         "1",
-        f"PL{thickness:g}*{plate.width:.0f}",
+        f"PL{thickness:g}*{width:.0f}",
         "B",
     ]
     weight = plate.mass / plate.area * 1e6 if plate.area else DENSITY * thickness * 1e6
     numbers = [
-        f"{plate.length:.2f}",
-        f"{plate.width:.2f}",
+        f"{length:.2f}",
+        f"{width:.2f}",
         *[f"{thickness:.2f}"] * 3,
         "0.00",
         f"{weight:.3f}",
         "2.000",
         *["0.000"] * 4,
     ]
-    free = [f"contour {plate.contour}", f"marking face {plate.marking_face}", "", ""]
+    part = f"part {plate.part}, {plate.quantity} off" if plate.quantity > 1 else ""
+    free = [f"contour {plate.contour_face}", f"marking face {plate.marking_face}", part, ""]
     return [f"  {_ascii(text)}" for text in [*texts, *numbers, *free]]
 
 

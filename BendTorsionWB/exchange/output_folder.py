@@ -34,7 +34,7 @@ class OwnFile:
 
 def check_folder(out: Path) -> None:
     """Raises BendTorsionError when the folder cannot be written to, before hours of computing."""
-    existing = next(path for path in (out, *out.absolute().parents) if path.exists())
+    existing = next(p for p in (out, *out.absolute().parents) if os.path.exists(p))
     if existing.is_dir() and os.access(existing, os.W_OK | os.X_OK):
         return
     problem = "cannot be written to" if existing.is_dir() else "is a file, not a folder"
@@ -62,9 +62,9 @@ def read_manifest(out: Path) -> dict[str, OwnFile]:
     """Our files by name as the last build left them, also one that was killed; nothing where the
     record is lost."""
     files = _read(out).get("files")
-    found = {}
+    found, whole = {}, out.resolve()
     for name, item in files.items() if isinstance(files, dict) else ():
-        own = _own_file(out, name, item)
+        own = _own_file(whole, name, item)
         if own is not None:
             found[name] = own
     for name, own in _read_journal(out):
@@ -75,13 +75,20 @@ def read_manifest(out: Path) -> dict[str, OwnFile]:
 
 
 def _own_file(out: Path, name: str, item: object) -> OwnFile | None:
-    """A file of a record that may be damaged; None for what is none within the folder."""
+    """A file of a record that may be damaged; None for what is none within the folder `out`, a
+    resolved path."""
     try:
-        if not isinstance(item, dict) or out.resolve() not in (out / name).resolve().parents:
+        if not isinstance(item, dict) or not _is_inside(out, name):
             return None
     except (OSError, ValueError):
         return None
     return OwnFile(*(str(item.get(key, "")) for key in ("member", "made_from", "sha256")))
+
+
+def _is_inside(out: Path, name: str) -> bool:
+    """Whether a name leads to a place within a folder, links followed; out: resolved."""
+    place = os.path.realpath(out / name)
+    return place.startswith(f"{str(out).rstrip(os.sep)}{os.sep}")
 
 
 def is_unfinished(out: Path) -> bool:
@@ -103,7 +110,7 @@ def _read_journal(out: Path) -> list[tuple[str, OwnFile]]:
             name = str(item["name"])
         except (ValueError, KeyError, TypeError):
             continue
-        own = _own_file(out, name, item)
+        own = _own_file(out.resolve(), name, item)
         if own is not None:
             found.append((name, own))
     return found
@@ -119,8 +126,11 @@ def _read(out: Path) -> dict:
 
 def write_manifest(out: Path, files: Mapping[str, OwnFile], project: str = "") -> None:
     """Keep the record of a project's files. Raises BendTorsionError."""
-    content = {"project": project, "files": {name: asdict(files[name]) for name in sorted(files)}}
-    write_whole(out / MANIFEST, (json.dumps(content, indent=1) + "\n").encode())
+    lines = ",\n".join(
+        f"{json.dumps(name)}: {json.dumps(vars(files[name]))}" for name in sorted(files)
+    )
+    text = f'{{"project": {json.dumps(project)}, "files": {{\n{lines}\n}}}}\n'
+    write_whole(out / MANIFEST, text.encode())
 
 
 def file_hash(path: Path) -> str:
@@ -190,8 +200,7 @@ class OutputFolder:
         self._note(name, self.now[name])
 
     def _note(self, name: str, own: OwnFile) -> None:
-        place = self.out / name
-        if "\0" in name or self.out.resolve() not in place.resolve().parents:
+        if "\0" in name or not _is_inside(self.out.resolve(), name):
             mend = "rename the member, section or plate it is named after"
             raise BendTorsionError(error("file-outside", name, "lies outside the folder", mend))
         line = json.dumps({"name": name, **asdict(own)}) + "\n"

@@ -14,8 +14,8 @@ from ..core.lofting import MemberRecord
 from ..core.patterns.numbering import numbered, shared_marks, with_shared
 from .whole_file import write_changed
 
-FILE = "parts.json"
-"""Name of the record of part marks in the cache folder."""
+FILE = ".bendtorsion-parts.json"
+"""Name of the record of part marks in the output folder."""
 
 
 @dataclass(frozen=True)

@@ -14,11 +14,12 @@ from .bevel_tables import bevel_tables
 from .column_units import with_units
 from .control_table import control_table
 from .cutting_tables import cutting_tables
+from .figures import degrees, largest
 from .forming_tables import forming_tables
 from .node_tables import node_tables
 from .pattern_tables import EDGES, GROSS, edge_rows, gross_cells
 from .piece_table import piece_table
-from .report import all_findings, degrees, dxf_name, findings_of, largest, nc1_name, sheet_name
+from .report import all_findings, dxf_name, findings_of, nc1_name, sheet_name
 from .weld_tables import weld_tables
 from .whole_file import write_whole
 from .xlsx_file import FINE, STRAIN, TENTH, TEXT, WHOLE, Column, Table, xlsx_bytes

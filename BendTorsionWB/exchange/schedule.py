@@ -111,7 +111,7 @@ def _parts(records, materials) -> tuple[PartRow, ...]:
 
 def _prep(row: Record) -> Prep:
     angle = math.radians(row["angle"])
-    sizes = (row[name] for name in ("land", "gap", "side", "backing"))
+    sizes = (row[name] for name in ("land", "gap", "side", "backing", "leg"))
     return Prep(row["prep"], row["type"], angle, *sizes)
 
 

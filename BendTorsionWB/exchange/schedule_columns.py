@@ -265,6 +265,7 @@ SHEETS: dict[str, tuple[Column, ...]] = {
         Column("gap", NOT_NEGATIVE, default=0.0),
         Column("side", Choice(preps.SIDES), default="outer"),
         Column("backing", part_cells.backing),
+        Column("leg", NOT_NEGATIVE, default=0.0),
     ),
     "Edges": (
         Column("member", Name(), True),

@@ -25,7 +25,7 @@ from ..core.members.zones import Segment
 from ..core.plates.plates import Joints
 from ..core.sections.section import Material, Section
 from .schedule_end_cuts import core_cut
-from .schedule_rows import AxisRow, MemberRow, Schedule, SegmentRow, Settings
+from .schedule_rows import AxisRow, MemberRow, Schedule, SegmentRow, Settings, SplitRow
 from .schedule_sections import core_section
 
 COLUMN_OF_CODE = {
@@ -270,7 +270,7 @@ def located(schedule: Schedule, row: MemberRow, finding: Finding) -> Finding:
     elif finding.code in SPLIT_CODES:
         face = re.match(r"face (\w+)", finding.position)
         splits = schedule.splits_of(row.name)
-        source = splits.get(face.group(1) if face else "", row)
+        source = splits.get(face.group(1), row) if face else _first_auto(splits, row)
         column = "lanes" if finding.code == "lanes" else "joints"
         if source is row:
             column = ""
@@ -289,6 +289,12 @@ def located(schedule: Schedule, row: MemberRow, finding: Finding) -> Finding:
         limit=finding.limit,
         unit=finding.unit,
     )
+
+
+def _first_auto(splits: Mapping[str, SplitRow], row: MemberRow):
+    """The row of Splits that asks for joints by rule, of all faces together; the member's row
+    where none does."""
+    return next((own for own in splits.values() if own.joints.kind == "auto"), row)
 
 
 def _axis_cell(axis: AxisRow, finding: Finding):

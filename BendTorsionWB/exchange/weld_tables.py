@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from ..core.lofting import MemberRecord
+from ..core.welds.preps import prep_text
 from ..core.welds.weld_record import Weld
 from .xlsx_file import FINE, TENTH, TEXT, WHOLE, Column, Table
 
@@ -33,7 +34,7 @@ WELDS = (
     Column("dihedral", FINE, 10),
     Column("prep", TEXT, 14),
     Column("type", TEXT, 13),
-    *(Column(name, TENTH, 10) for name in ("angle", "land", "gap", "depth")),
+    *(Column(name, TENTH, 10) for name in ("angle", "land", "gap", "depth", "leg")),
     Column("side", TEXT, 8),
     Column("backing", TEXT, 10),
     Column("place", TEXT, 8),
@@ -49,6 +50,22 @@ def weld_tables(records: Sequence[MemberRecord]) -> tuple[Table, ...]:
         Table("Joints", JOINTS, (_joint(w, faces) for w in welds if w.kind == "joint")),
         Table("Welds", WELDS, _welds(welds)),
     )
+
+
+def weld_json(weld: Weld) -> dict:
+    """A weld as plain JSON data."""
+    return {
+        "weld": weld.mark,
+        "kind": weld.kind,
+        "plates": list(weld.plates),
+        "from_mm": weld.start,
+        "to_mm": weld.end,
+        "length_mm": weld.length,
+        "dihedral_deg": math.degrees(weld.dihedral),
+        "prep": prep_text(weld.prep),
+        "place": weld.place,
+        "ndt": weld.ndt,
+    }
 
 
 def _joint(weld: Weld, faces: dict[str, str]) -> tuple:
@@ -86,6 +103,7 @@ def _welds(welds: Sequence[Weld]) -> Iterator[tuple]:
             prep.land,
             prep.gap,
             prep.depth(weld.thickness[0]),
+            prep.leg or None,
             prep.side,
             "{:g}x{:g}".format(*prep.backing) if prep.backing else "",
             weld.place,

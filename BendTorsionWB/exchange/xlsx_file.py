@@ -22,11 +22,13 @@ FINE = "0.0000"
 STRAIN = "0.00E+00"
 
 _FORMATS = (WHOLE, TENTH, FINE, STRAIN)
+_A3, _A4 = 8, 9  # paper sizes as numbered in the format
+_WIDEST_ON_A4 = 200.0  # characters; wider tables are too small to read there
 _HEADER_STYLE = 1
 _TEXT_STYLE = 2
 _QUOTED_STYLE = 3  # text that looks like a formula stays text when the cell is edited
 _FIRST_NUMBER_STYLE = 4
-_FORMULA_STARTS = ("=", "+", "-", "@")
+_FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
 _NOT_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
 _MAIN = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
 _DOCUMENT = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
@@ -114,6 +116,7 @@ def _sheet(table: Table, strings: dict[str, int], units: Sequence[str]) -> tuple
         for n, column in enumerate(table.columns, start=1)
     )
     area = f"A1:{letters[-1]}{last}"
+    paper = _A3 if sum(column.width for column in table.columns) > _WIDEST_ON_A4 else _A4
     return (
         f'{_HEAD}<worksheet xmlns="{_MAIN}"><sheetPr><pageSetUpPr fitToPage="1"/></sheetPr>'
         f'<dimension ref="A1:{letters[-1]}{number}"/>'
@@ -122,8 +125,9 @@ def _sheet(table: Table, strings: dict[str, int], units: Sequence[str]) -> tuple
         'sqref="A2"/></sheetView></sheetViews><sheetFormatPr defaultRowHeight="15"/>'
         f"<cols>{widths}</cols><sheetData>{''.join(rows)}</sheetData>"
         f'<autoFilter ref="{area}"/>'
+        '<printOptions gridLines="1"/>'
         '<pageMargins left="0.4" right="0.4" top="0.5" bottom="0.6" header="0.3" footer="0.3"/>'
-        '<pageSetup paperSize="9" orientation="landscape" fitToWidth="1" fitToHeight="0"/>'
+        f'<pageSetup paperSize="{paper}" orientation="landscape" fitToWidth="1" fitToHeight="0"/>'
         "<headerFooter><oddFooter>&amp;L&amp;A&amp;R&amp;P / &amp;N</oddFooter></headerFooter>"
         "</worksheet>"
     ), last
@@ -134,9 +138,13 @@ def _row(
 ) -> str:
     cells = []
     for letter, style, value in zip(letters, styles, values):
-        if value is None or value == "":
+        if type(value) is float:
+            # Most cells are numbers; infinite ones and none at all are left empty.
+            if value - value == 0.0:
+                cells.append(f'<c r="{letter}{number}" s="{style}"><v>{value!r}</v></c>')
+        elif value is None or value == "":
             continue
-        if isinstance(value, str):
+        elif isinstance(value, str):
             text_style = _QUOTED_STYLE if value.startswith(_FORMULA_STARTS) else _TEXT_STYLE
             index = _string(value, strings)
             cells.append(f'<c r="{letter}{number}" s="{text_style}" t="s"><v>{index}</v></c>')
@@ -148,7 +156,10 @@ def _row(
 
 
 def _string(text: str, strings: dict[str, int]) -> int:
-    return strings.setdefault(text, len(strings))
+    index = strings.get(text)
+    if index is None:
+        index = strings[text] = len(strings)
+    return index
 
 
 def _letters(index: int) -> str:

@@ -11,6 +11,7 @@ from BendTorsionWB.core.axes.frames import Frames
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.lofting import MemberRecord
 from BendTorsionWB.gui import frame_ribbon, plate_labels
+from BendTorsionWB.gui.label_layer import LabelLayer
 from BendTorsionWB.objects import axis as axis_object
 from BendTorsionWB.objects import plate_set as plates_object
 
@@ -27,13 +28,13 @@ def holder(view) -> coin.SoSeparator:
     return group
 
 
-def fill(group: coin.SoSeparator, obj, wanted: set[str], frame_height: float) -> None:
-    """Put what is wanted (`ShowMarks`, `ShowPoints`, `ShowFrames`) into a holder, and nothing else.
-    An object in error shows nothing."""
+def fill(group: coin.SoSeparator, obj, wanted: set[str], frame_height: float):
+    """Put what is wanted (`ShowMarks`, `ShowPoints`, `ShowFrames`) into a holder, and nothing else;
+    the layer of labels, to be kept as long as it is seen. An object in error shows nothing."""
     while group.getNumChildren() > 1:
         group.removeChild(1)
     if not wanted or not obj.Shape.SubShapes:
-        return
+        return None
     try:
         if "ShowFrames" in wanted:
             framed = _frames(obj)
@@ -41,12 +42,18 @@ def fill(group: coin.SoSeparator, obj, wanted: set[str], frame_height: float) ->
             group.addChild(frame_ribbon.ribbon(framed, height))
         if wanted & {"ShowMarks", "ShowPoints"}:
             record = _record(obj)
-            if "ShowMarks" in wanted:
-                group.addChild(plate_labels.mark_labels(record))
+            labels = plate_labels.mark_labels(record) if "ShowMarks" in wanted else []
             if "ShowPoints" in wanted:
-                group.addChild(plate_labels.point_labels(record))
+                lines, named = plate_labels.point_labels(record)
+                labels += named
+                if lines is not None:
+                    group.addChild(lines)
+            layer = LabelLayer(labels)
+            group.addChild(layer.node)
+            return layer
     except BendTorsionError:
-        return  # The object's own findings say why, once it is recomputed.
+        pass  # The object's own findings say why, once it is recomputed.
+    return None
 
 
 def _record(obj) -> MemberRecord:

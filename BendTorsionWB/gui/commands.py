@@ -22,7 +22,8 @@ TOOLBARS = {
         *(SEPARATOR, "CutPoint", "Alignment", "MemberTable"),
     ),
     "BendTorsion Plates": (
-        *("Plates", "Pieces", "Diaphragms", "Splits", "Development", "AssemblyBed"),
+        *("Plates", "Splits", "Pieces", "Diaphragms", "Openings", "FaceMarks", "Welds", "Node"),
+        *(SEPARATOR, "Development", "AssemblyBed"),
     ),
     "BendTorsion View": ("ShowAs", "ShowFrames", "ShowMarks", "ShowPoints", "ColourBy"),
     "BendTorsion Output": (

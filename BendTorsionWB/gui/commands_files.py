@@ -8,8 +8,7 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui
 
-from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.gui import ask, resources, selection
+from BendTorsionWB.gui import ask, macro, resources, selection
 from BendTorsionWB.gui.command import Command
 from BendTorsionWB.gui.progress import progress
 
@@ -21,54 +20,40 @@ HALL = Path("concert_hall") / "concert_hall.xlsx"
 
 
 def import_schedule(document) -> None:
-    """The document of a schedule."""
+    """The document of a schedule, with or without drawing sheets."""
     title = translate("BendTorsion", "Import schedule")
     path = ask.open_file(title, translate("BendTorsion", WORKBOOKS))
-    if path is not None:
-        with progress(title) as report:
-            open_schedule(path, report)
+    if path is None:
+        return
+    with_sheets = ask.choice(
+        title,
+        translate("BendTorsion", "Drawing sheets"),
+        [
+            translate("BendTorsion", "without drawing sheets"),
+            translate("BendTorsion", "with drawing sheets (slower)"),
+        ],
+    )
+    if with_sheets is not None:
+        sheets = with_sheets == translate("BendTorsion", "with drawing sheets (slower)")
+        _open_schedule(title, path, sheets)
 
 
-def open_schedule(path, report):
-    """A new document with the members of a schedule, computed and shown. Raises BendTorsionError
-    for an invalid schedule; stopped or in error, it leaves no document."""
-    from BendTorsionWB.document import build_document
-    from BendTorsionWB.project import detail_members, read_jobs
-
-    schedule, jobs = read_jobs(path)
-    _, lost = detail_members(schedule, jobs, progress=report)
-    if lost:
-        raise BendTorsionError(lost)
-    document = build_document(schedule, jobs, sheets=False, hidden=False)
-    try:
-        objects = list(reversed(document.TopologicalSortedObjects))
-        for done, obj in enumerate(objects, start=1):
-            obj.recompute()
-            report(translate("BendTorsion", "document"), done, len(objects))
-        document.recompute()
-    except BaseException:
-        FreeCAD.closeDocument(document.Name)
-        raise
-    document.Label = Path(path).stem
-    document.clearUndos()
+def _open_schedule(title: str, path, sheets: bool = False) -> None:
+    with progress(title):
+        macro.on_files(None, "open_schedule", str(path), sheets=sheets)
     FreeCADGui.SendMsgToActiveView("ViewFit")
-    return document
 
 
 def write_schedule(document) -> None:
     """The document as a schedule; what a schedule cannot say is told."""
-    from BendTorsionWB.round_trip import write_back
-
     title = translate("BendTorsion", "Write schedule")
     if not any(getattr(obj, "BT_Type", "") == "Member" for obj in document.Objects):
         raise selection.refusal("the document has no member", "make one, or import a schedule")
     path = ask.save_file(title, translate("BendTorsion", WORKBOOKS), ".xlsx")
     if path is None:
         return
-    with progress(title) as report:
-        report(translate("BendTorsion", "writing and reading it again"), 0, 1)
-        found = write_back(document, path)
-    FreeCAD.setActiveDocument(document.Name)
+    with progress(title):
+        found = macro.on_files(document, "write_schedule", document, path)
     for finding in found:
         FreeCAD.Console.PrintWarning(f"{finding.line()}\n")
     ask.tell(
@@ -80,7 +65,7 @@ def write_schedule(document) -> None:
 
 def example(document) -> None:
     """A document to start from: one of the templates, or the concert hall from its schedule."""
-    from BendTorsionWB.document_templates import new_document, template_titles
+    from BendTorsionWB.document_templates import template_titles
 
     title = translate("BendTorsion", "Example project")
     titles = {translate("BendTorsion", text): name for name, text in template_titles().items()}
@@ -89,14 +74,12 @@ def example(document) -> None:
     if chosen is None:
         return
     if chosen == hall:
-        with progress(title) as report:
-            open_schedule(resources.FOLDER / "examples" / HALL, report)
+        _open_schedule(title, resources.FOLDER / "examples" / HALL)
         return
     path = ask.save_file(title, translate("BendTorsion", DOCUMENTS), ".FCStd")
     if path is None:
         return
-    new_document(titles[chosen], path)
-    FreeCAD.openDocument(path)
+    macro.on_files(None, "open_template", titles[chosen], path)
     FreeCADGui.SendMsgToActiveView("ViewFit")
 
 

@@ -9,6 +9,7 @@ import FreeCADGui
 from BendTorsionWB.gui import macro, selection
 from BendTorsionWB.gui.command import Command
 from BendTorsionWB.gui.preview import Preview
+from BendTorsionWB.gui.progress import PATIENCE, progress
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -30,7 +31,8 @@ def make_members(document, surface, curves, choice) -> list:
     surface, curves: as `selection.surface_and_curves`. choice: `section_dialog.SectionChoice`.
     Raises BendTorsionError, the document as before, when one of them cannot be built.
     """
-    with macro.undo_step(document, translate("BendTorsion", "Members from selection")):
+    title = translate("BendTorsion", "Members from selection")
+    with progress(title, PATIENCE) as report, macro.undo_step(document, title):
         before = len(document.Objects)
         if isinstance(surface, tuple):
             surface = macro.make("make_surface", document, "Surface", face=surface)
@@ -53,7 +55,7 @@ def make_members(document, surface, curves, choice) -> list:
             # The plates show the same body; two skins in one place only flicker.
             member.ViewObject.Visibility = False
             members.append(member)
-        macro.recompute()
+        macro.recompute(report, document.Objects[before:])
         macro.raise_errors(document.Objects[before:])
     return members
 

@@ -3,14 +3,12 @@
 
 from __future__ import annotations
 
-import tempfile
-from pathlib import Path
-
 import FreeCAD
 import FreeCADGui
 
-from BendTorsionWB.gui import ask, macro, selection
+from BendTorsionWB.gui import ask, macro, selection, tree
 from BendTorsionWB.gui.command import Command
+from BendTorsionWB.gui.commands_plates import make_all, users
 from BendTorsionWB.gui.progress import progress
 
 translate = FreeCAD.Qt.translate
@@ -21,9 +19,8 @@ PATTERNS = "select members with patterns; Development makes them"
 def check(document) -> None:
     """Recompute everything and list what is found."""
     from BendTorsionWB.gui import findings_panel
-    from BendTorsionWB.model_files import checked_recompute
 
-    checked_recompute(document)
+    macro.on_files(document, "check", document)
     findings_panel.show(document)
 
 
@@ -35,23 +32,41 @@ def findings(document) -> None:
 
 
 def sheets(document) -> None:
-    """Drawing sheets of the selected members; of all when none is selected."""
+    """Drawing sheets of the selected members, of all when none is selected; those of one member
+    that has them, in their panel."""
+    from BendTorsionWB.gui.panels_detail import SheetsPanel
+    from BendTorsionWB.gui.preview import Preview
+
     given = selection.picked()
+    title = translate("BendTorsion", "Sheets")
     own = (
         selection.of_member(given, "Unfold", PATTERNS) if given.ours else _kind(document, "Unfold")
     )
-    missing = [item for item in own if not _users(item, "SheetSet")]
+    if not own:
+        raise selection.refusal("no member has patterns", PATTERNS)
+    missing = [item for item in own if not users(item, "SheetSet")]
+    if not missing and len(own) == 1:
+        SheetsPanel(Preview(document, title, users(own[0], "SheetSet")[:1])).show()
+        return
     if not missing:
         raise selection.refusal(
-            "every member has its sheets already" if own else "no member has patterns", PATTERNS
+            "every member has its sheets already", "select one member to edit its sheets"
         )
-    with macro.undo_step(document, translate("BendTorsion", "Sheets")):
-        made = []
-        for item in missing:
-            beds = _users(item.Plates, "AssemblyBed")
-            made.append(macro.make("make_sheets", document, item, bed=beds[0] if beds else None))
-        macro.recompute()
-        macro.raise_errors(made)
+
+    def make():
+        return [macro.make("make_sheets", document, item, bed=_bed_of(item)) for item in missing]
+
+    made = make_all(document, title, make)
+    for item in made:
+        for page in tree.children(item):
+            # The frames FreeCAD draws round views are no part of a drawing.
+            if "ShowFrames" in page.ViewObject.PropertiesList:
+                page.ViewObject.ShowFrames = False
+
+
+def _bed_of(unfold):
+    beds = users(unfold.Plates, "AssemblyBed")
+    return beds[0] if beds else None
 
 
 def export_package(document) -> None:
@@ -62,8 +77,8 @@ def export_package(document) -> None:
     out = ask.folder(title)
     if out is None:
         return
-    with progress(title) as report:
-        result = export(document, out, report)
+    with progress(title):
+        result = macro.on_files(document, "write_package", document, out)
     ask.tell(
         translate("BendTorsion", "{count} members written to {folder}").format(
             count=sum(bool(record.plates) for record in result.records), folder=out
@@ -71,26 +86,8 @@ def export_package(document) -> None:
     )
 
 
-def export(document, out: str, report):
-    """What the command line's `export` writes, of a copy of an open document."""
-    from BendTorsionWB.document_export import export_document
-
-    sheets_wanted = bool(_kind(document, "Unfold"))
-    with tempfile.TemporaryDirectory() as folder:
-        copy = Path(folder) / "document.FCStd"
-        document.recompute()
-        document.saveCopy(str(copy))
-        active = FreeCAD.ActiveDocument.Name
-        try:
-            return export_document(copy, out, workers=1, progress=report, sheets=sheets_wanted)
-        finally:
-            FreeCAD.setActiveDocument(active)
-
-
 def report(document) -> None:
     """Write the figures as a workbook or as report.json."""
-    from BendTorsionWB.document_export import records_of, write_figures
-
     if not _kind(document, "Unfold"):
         raise selection.refusal("no member has patterns", PATTERNS)
     title = translate("BendTorsion", "Report")
@@ -98,11 +95,8 @@ def report(document) -> None:
     path = ask.save_file(title, kinds, ".xlsx")
     if path is None:
         return
-    with progress(title) as shown:
-        shown(translate("BendTorsion", "figures"), 0, 2)
-        given = records_of(document)
-        shown(translate("BendTorsion", "writing"), 1, 2)
-        write_figures(given, path)
+    with progress(title):
+        macro.on_files(document, "write_report", document, path)
     ask.tell(translate("BendTorsion", "Written: {file}").format(file=path))
 
 
@@ -113,10 +107,6 @@ def preferences(document) -> None:
 
 def _kind(document, kind: str) -> list:
     return [obj for obj in document.Objects if getattr(obj, "BT_Type", "") == kind]
-
-
-def _users(obj, kind: str) -> list:
-    return [user for user in obj.InList if getattr(user, "BT_Type", "") == kind]
 
 
 COMMANDS = (

@@ -3,11 +3,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import FreeCAD
 
 from BendTorsionWB.gui import macro, selection
 from BendTorsionWB.gui.command import Command
 from BendTorsionWB.gui.preview import Preview
+from BendTorsionWB.gui.progress import PATIENCE, progress
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -21,9 +24,9 @@ def plates(document) -> None:
     given = selection.picked()
     name = translate("BendTorsion", "Plates")
     members = selection.of_member(given, "Member", MEND)
-    bare = [item for item in members if not _users(item, "PlateSet")]
+    bare = [item for item in members if not users(item, "PlateSet")]
     if not bare:
-        PlatesPanel(Preview(document, name, _users(members[0], "PlateSet")[:1])).show()
+        PlatesPanel(Preview(document, name, users(members[0], "PlateSet")[:1])).show()
         return
     if len(bare) == 1:
         preview = Preview(
@@ -32,10 +35,7 @@ def plates(document) -> None:
         bare[0].ViewObject.Visibility = False
         PlatesPanel(preview).show()
         return
-    with macro.undo_step(document, name):
-        made = [macro.make("make_plates", document, item) for item in bare]
-        macro.recompute()
-        macro.raise_errors(made)
+    make_all(document, name, lambda: [macro.make("make_plates", document, one) for one in bare])
     for item in bare:
         item.ViewObject.Visibility = False
 
@@ -49,6 +49,21 @@ def diaphragms(document) -> None:
     """The diaphragms and end plates of the selected member."""
     name = translate("BendTorsion", "Diaphragms and end plates")
     _parts(document, "Diaphragms", name, "BendTorsion_Diaphragms")
+
+
+def openings(document) -> None:
+    """The openings in the faces of the selected member."""
+    _parts(document, "Openings", translate("BendTorsion", "Openings"), "BendTorsion_Openings")
+
+
+def face_marks(document) -> None:
+    """What is marked on the faces of the selected member."""
+    _parts(document, "Marks", translate("BendTorsion", "Marks on faces"), "BendTorsion_FaceMarks")
+
+
+def welds(document) -> None:
+    """The welds of the selected member that differ from those of the rule pack."""
+    _parts(document, "Edges", translate("BendTorsion", "Welds"), "BendTorsion_Welds")
 
 
 def _parts(document, table: str, name: str, icon: str) -> None:
@@ -66,33 +81,87 @@ def splits(document) -> None:
     SplitPanel(Preview(document, translate("BendTorsion", "Split editor"), own[:1])).show()
 
 
+def node(document) -> None:
+    """The selected node, or a new one where the second selected member ends on the first."""
+    from BendTorsionWB.gui.panels_detail import NodePanel
+
+    given = selection.picked()
+    name = translate("BendTorsion", "Node")
+    nodes = given.of_kind("Node")
+    if nodes:
+        NodePanel(Preview(document, name, nodes[:1])).show()
+        return
+    mend = "select the member that runs through, then the one that ends on it; or a node to edit"
+    members = selection.of_member(given, "Member", mend)
+    if len(members) != 2:
+        raise selection.refusal(f"{len(members)} members are selected, two are needed", mend)
+    taken = {item.Label for item in document.Objects}
+    label = next(f"N{k}" for k in range(1, len(taken) + 2) if f"N{k}" not in taken)
+    cut = [item for one in members for item in users(one, "PlateSet")]
+
+    def create(make):
+        return [make("make_node", document, *members, label, plates=cut)]
+
+    NodePanel(Preview(document, name, create=create)).show()
+
+
 def development(document) -> None:
-    """Flat patterns of the selected members' plates."""
-    own = selection.of_member(selection.picked(), "PlateSet", MEND)
-    _once(document, own, "Unfold", "make_unfold", translate("BendTorsion", "Development"))
+    """Flat patterns of the selected members' plates; of one member in its panel."""
+    from BendTorsionWB.gui.panels_detail import DevelopmentPanel
+
+    name = translate("BendTorsion", "Development")
+    _of_plates(document, "Unfold", "make_unfold", name, DevelopmentPanel)
 
 
 def assembly_bed(document) -> None:
-    """Assembly beds of the selected members' pieces."""
+    """Assembly beds of the selected members' pieces; of one member in its panel."""
+    from BendTorsionWB.gui.panels_detail import BedPanel
+
+    name = translate("BendTorsion", "Assembly bed")
+    _of_plates(document, "AssemblyBed", "make_bed", name, BedPanel)
+
+
+def _of_plates(document, kind: str, function: str, name: str, panel: Callable) -> None:
+    """What follows the selected PlateSets: of several made where it is missing, of one in a panel,
+    new or as it is."""
     own = selection.of_member(selection.picked(), "PlateSet", MEND)
-    _once(document, own, "AssemblyBed", "make_bed", translate("BendTorsion", "Assembly bed"))
-
-
-def _once(document, plates, kind: str, function: str, name: str) -> None:
-    """Make what each PlateSet does not have yet, show it, in one undo step."""
-    missing = [item for item in plates if not _users(item, kind)]
+    missing = [item for item in own if not users(item, kind)]
+    if len(own) > 1:
+        if not missing:
+            labels = ", ".join(item.Label for item in own)
+            raise selection.refusal(f"{labels} have it already", "select one to edit it")
+        make_all(
+            document, name, lambda: [shown(macro.make(function, document, one)) for one in missing]
+        )
+        return
     if not missing:
-        labels = ", ".join(item.Label for item in plates)
-        raise selection.refusal(f"{labels} has it already", "edit it in the tree")
-    with macro.undo_step(document, name):
-        made = [macro.make(function, document, item) for item in missing]
-        macro.recompute()
+        panel(Preview(document, name, users(own[0], kind)[:1])).show()
+        return
+
+    def create(make):
+        return [shown(make(function, document, own[0]))]
+
+    panel(Preview(document, name, create=create)).show()
+
+
+def make_all(document, name: str, make: Callable[[], list]) -> list:
+    """Objects made, recomputed one by one and without error, in one undo step; long work can be
+    stopped, and leaves the document as it was. Raises BendTorsionError, Cancelled."""
+    with progress(name, PATIENCE) as report, macro.undo_step(document, name):
+        made = make()
+        macro.recompute(report, made)
         macro.raise_errors(made)
-    for item in made:
-        item.ViewObject.Visibility = True
+    return made
 
 
-def _users(obj, kind: str) -> list:
+def shown(obj):
+    """The object, to be seen: flat patterns and beds are hidden when they come from a file."""
+    obj.ViewObject.Visibility = True
+    return obj
+
+
+def users(obj, kind: str) -> list:
+    """What of a kind links to an object."""
     return [user for user in obj.InList if getattr(user, "BT_Type", "") == kind]
 
 
@@ -129,15 +198,55 @@ COMMANDS = (
         ("Member", "PlateSet"),
     ),
     Command(
+        "Openings",
+        QT_TRANSLATE_NOOP("BendTorsion_Openings", "Openings"),
+        QT_TRANSLATE_NOOP("BendTorsion_Openings", "Holes and slots in the faces of the member"),
+        "B, 3",
+        openings,
+        ("Member", "PlateSet"),
+    ),
+    Command(
+        "FaceMarks",
+        QT_TRANSLATE_NOOP("BendTorsion_FaceMarks", "Marks on faces"),
+        QT_TRANSLATE_NOOP(
+            "BendTorsion_FaceMarks", "Punches, lines and texts marked on the faces of the member"
+        ),
+        "B, 4",
+        face_marks,
+        ("Member", "PlateSet"),
+    ),
+    Command(
+        "Welds",
+        QT_TRANSLATE_NOOP("BendTorsion_Welds", "Welds"),
+        QT_TRANSLATE_NOOP(
+            "BendTorsion_Welds",
+            "Preparation, place and tests of seams and joints that differ from the rule pack",
+        ),
+        "B, 5",
+        welds,
+        ("Member", "PlateSet"),
+    ),
+    Command(
         "Splits",
         QT_TRANSLATE_NOOP("BendTorsion_Splits", "Split editor"),
         QT_TRANSLATE_NOOP(
             "BendTorsion_Splits",
-            "Drag the joints of each face on a strip, held against the rules as you drag",
+            "Drag the joints of each face on the face laid flat, held against the rules at once",
         ),
         "B, J",
         splits,
         ("Member", "PlateSet"),
+    ),
+    Command(
+        "Node",
+        QT_TRANSLATE_NOOP("BendTorsion_Node", "Node"),
+        QT_TRANSLATE_NOOP(
+            "BendTorsion_Node",
+            "Where the second selected member ends on the first, or the node selected",
+        ),
+        "B, 6",
+        node,
+        ("Member", "PlateSet", "Node"),
     ),
     Command(
         "Development",
@@ -145,7 +254,7 @@ COMMANDS = (
         QT_TRANSLATE_NOOP("BendTorsion_Development", "Lay the plates of the selected members flat"),
         "B, V",
         development,
-        ("Member", "PlateSet"),
+        ("Member", "PlateSet", "Unfold"),
     ),
     Command(
         "AssemblyBed",
@@ -156,6 +265,6 @@ COMMANDS = (
         ),
         "B, B",
         assembly_bed,
-        ("Member", "PlateSet"),
+        ("Member", "PlateSet", "AssemblyBed"),
     ),
 )

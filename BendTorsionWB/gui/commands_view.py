@@ -74,7 +74,7 @@ def _toggle(document, name: str) -> None:
 def _show(obj, name: str, value: bool) -> None:
     """Set a property of the view as a recorded line."""
     place = f"FreeCAD.getDocument({obj.Document.Name!r}).getObject({obj.Name!r})"
-    FreeCADGui.doCommand(f"{place}.ViewObject.{name} = {value!r}")
+    FreeCADGui.doCommand(f"if FreeCAD.GuiUp: {place}.ViewObject.{name} = {value!r}")
 
 
 def _members(document) -> list:

@@ -67,6 +67,10 @@ class _Follow:
         """Called by FreeCAD after a redo."""
         self.dock.soon()
 
+    def slotDeletedObject(self, obj):
+        """Called by FreeCAD before an object goes."""
+        self.dock.soon()
+
     def slotActivateDocument(self, document):
         """Called by FreeCAD when another document becomes the active one."""
         self.dock.soon()

@@ -40,6 +40,30 @@ def _plates(obj):
     return PlatesPanel(_preview(obj, translate("BendTorsion", "Edit plates")))
 
 
+def _development(obj):
+    from BendTorsionWB.gui.panels_detail import DevelopmentPanel
+
+    return DevelopmentPanel(_preview(obj, translate("BendTorsion", "Edit development")))
+
+
+def _bed(obj):
+    from BendTorsionWB.gui.panels_detail import BedPanel
+
+    return BedPanel(_preview(obj, translate("BendTorsion", "Edit assembly bed")))
+
+
+def _node(obj):
+    from BendTorsionWB.gui.panels_detail import NodePanel
+
+    return NodePanel(_preview(obj, translate("BendTorsion", "Edit node")))
+
+
+def _sheets(obj):
+    from BendTorsionWB.gui.panels_detail import SheetsPanel
+
+    return SheetsPanel(_preview(obj, translate("BendTorsion", "Edit sheets")))
+
+
 def _preview(obj, name: str):
     from BendTorsionWB.gui.preview import Preview
 
@@ -52,6 +76,10 @@ PANELS: dict[str, Callable] = {
     "SectionSpec": _section,
     "Member": _member,
     "PlateSet": _plates,
+    "Unfold": _development,
+    "AssemblyBed": _bed,
+    "Node": _node,
+    "SheetSet": _sheets,
 }
 """By BT_Type: a function of the object that makes its task panel; the panel has `show()`,
 `reject()` and takes everything back on Cancel."""

@@ -77,9 +77,23 @@ def place_of(obj, finding: Finding) -> FreeCAD.Vector | None:
     return FreeCAD.Vector(*map(float, core.position(np.array([s]))[0]))
 
 
-def go_to(place: FreeCAD.Vector) -> None:
+def view_of(document):
+    """The 3D view of a document, brought to the front when a drawing page is; None without one."""
+    shown = FreeCADGui.getDocument(document.Name)
+    if hasattr(shown.ActiveView, "getCameraNode"):
+        return shown.ActiveView
+    views = shown.mdiViewsOfType("Gui::View3DInventor")
+    if not views:
+        return None
+    shown.setActiveView(views[0])
+    return views[0]
+
+
+def go_to(document, place: FreeCAD.Vector) -> None:
     """Turn the view's middle to a place, near enough to see what is there."""
-    view = FreeCADGui.ActiveDocument.ActiveView
+    view = view_of(document)
+    if view is None:
+        return
     camera = view.getCameraNode()
     direction = view.getViewDirection()
     if hasattr(camera, "height"):
@@ -141,8 +155,8 @@ class FindingsPanel(DocumentDock):
         FreeCADGui.Selection.addSelection(self.document.Name, obj.Name, sub)
         place = place_of(obj, finding)
         if place is not None:
-            go_to(place)
-        else:
+            go_to(self.document, place)
+        elif view_of(self.document) is not None:
             FreeCADGui.SendMsgToActiveView("ViewSelection")
 
 

@@ -15,8 +15,10 @@ ICONS = {
     "Member": "BendTorsion_Member",
     "PlateSet": "BendTorsion_Plates",
     "Unfold": "BendTorsion_Development",
+    "Node": "BendTorsion_Node",
     "AssemblyBed": "BendTorsion_AssemblyBed",
     "SheetSet": "BendTorsion_Sheets",
+    "ArrangementSet": "BendTorsion_Sheets",
 }
 """The icon of a kind is that of the command that makes it; the workbench's where there is none."""
 

@@ -42,13 +42,25 @@ def begin(document) -> None:
 
 def make(function: str, *arguments, **named):
     """Run `make.function(…)` as a recorded line; what it returns. Raises what it raises."""
-    given = [literal(item) for item in arguments]
     # Here, not above: the workbench opens at once, and scipy is loaded with the first object.
     from BendTorsionWB.gui.preferences import with_preferences
 
-    named = with_preferences(function, named)
+    arguments, named = with_preferences(function, arguments, named)
+    given = [literal(item) for item in arguments]
     given += [f"{key}={literal(item)}" for key, item in named.items()]
     FreeCADGui.doCommand(f"made = make.{function}({', '.join(given)})")
+    return sys.modules["__main__"].made
+
+
+def on_files(document, function: str, *arguments, **named):
+    """Run `make_files.function(…)` as a recorded line; what it returns. Raises what it raises.
+    document: the one worked on, None when a new one is opened."""
+    FreeCADGui.doCommand("from BendTorsionWB import make_files")
+    if document is not None:
+        begin(document)
+    given = [literal(item) for item in arguments]
+    given += [f"{key}={literal(item)}" for key, item in named.items()]
+    FreeCADGui.doCommand(f"made = make_files.{function}({', '.join(given)})")
     return sys.modules["__main__"].made
 
 
@@ -57,8 +69,18 @@ def put(obj, name: str, value) -> None:
     FreeCADGui.doCommand(f"{literal(obj)}.{name} = {literal(value)}")
 
 
-def recompute() -> None:
-    """Recompute the document as a recorded line."""
+def bind(obj, name: str, text: str | None) -> None:
+    """Set the expression of a property as a recorded line; None takes it away."""
+    FreeCADGui.doCommand(f"{literal(obj)}.setExpression({name!r}, {text!r})")
+
+
+def recompute(progress=None, objects=()) -> None:
+    """Recompute the document as a recorded line; before, objects one by one, with progress told
+    after each (`project.Progress`), which may raise to stop."""
+    for done, obj in enumerate(objects):
+        if progress is not None:
+            progress(obj.Label, done, len(objects))
+        obj.recompute()
     FreeCADGui.doCommand("document.recompute()")
 
 

@@ -64,7 +64,16 @@ class MemberPanel(TaskPanel):
         self.transition = QtWidgets.QLabel()
         self.segment_fields = None
         self.picking = None
+        self.dragger = None
         self._list(segment)
+
+    def show(self) -> None:
+        """With the cuts to be dragged in the 3D view."""
+        # Here, not above: the panel is known before the first 3D view is.
+        from BendTorsionWB.gui.cut_dragger import CutDragger
+
+        super().show()
+        self.dragger = CutDragger(self)
 
     @property
     def segment(self) -> int:
@@ -81,6 +90,13 @@ class MemberPanel(TaskPanel):
             text = translate("BendTorsion", "Transition {length:.0f} mm: {start:.0f} to {end:.0f}")
             text = text.format(length=end - start, start=start, end=end)
         self.transition.setText(text)
+        if self.dragger is not None and self.dragger.held is None and not self.closed:
+            self.dragger.refresh()
+
+    def show_segment(self, number: int) -> None:
+        """Choose the segment whose fields are shown."""
+        if number != self.segment:
+            self.segments.setCurrentIndex(number - 1)
 
     def property_of(self, record: dict) -> str:
         """Findings about a cut name its segment."""
@@ -119,7 +135,7 @@ class MemberPanel(TaskPanel):
         self.segment_fields = PropertyForm(
             [self.member], rows, self.changed, {f"Section{k}": "SectionSpec"}
         )
-        self.forms.append(self.segment_fields)
+        self.watch(self.segment_fields)
         self.box.setTitle(translate("BendTorsion", "Segment {number}").format(number=k))
         picker = AlignmentPicker(getattr(self.member, f"Align{k}"))
         picker.chosen.connect(self._align)
@@ -147,15 +163,20 @@ class MemberPanel(TaskPanel):
         self.changed()
 
     def _slide(self, step: int) -> None:
-        self._cut_at(step / STEPS * self.member.Axis.Length.Value)
+        self.cut_at(step / STEPS * self.member.Axis.Length.Value)
 
-    def _cut_at(self, place: float) -> None:
+    def cut_at(self, place: float) -> None:
         """Move the cut of the segment shown to a place, mm."""
         k = self.segment
         setattr(self.member, f"CutBy{k}", "place")
         setattr(self.member, f"CutRatio{k}", 0.0)
+        setattr(self.member, f"CutOffset{k}", 0.0)
         setattr(self.member, f"Cut{k}", round(place, 1))
         self.segment_fields.read()
+        length = self.member.Axis.Length.Value
+        self.slider.blockSignals(True)
+        self.slider.setValue(round(STEPS * place / length) if length else 1)
+        self.slider.blockSignals(False)
         self.changed()
 
     def _add(self) -> None:
@@ -205,11 +226,17 @@ class MemberPanel(TaskPanel):
         except BendTorsionError as problem:
             self.findings.setText(str(problem))
             return
-        self._cut_at(place)
+        self.cut_at(place)
 
     def _end(self, finish) -> None:
         self._pick(False)
         super()._end(finish)
+
+    def stop(self) -> None:
+        """Take the cuts out of the 3D view."""
+        super().stop()
+        if self.dragger is not None:
+            self.dragger.stop()
 
 
 class _Pick:

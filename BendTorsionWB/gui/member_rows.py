@@ -62,6 +62,13 @@ class Row:
             return not self._has_cut()
         return column in FACES and self.plates is None
 
+    def choices(self, column: str) -> list[str]:
+        """The texts the cell can have, where they can be counted."""
+        if column == "section":
+            objects = self.member.Document.Objects
+            return [o.Label for o in objects if getattr(o, "BT_Type", "") == "SectionSpec"]
+        return list(_CHOICES[column][1]) if column in _CHOICES else []
+
     def edits(self, column: str, text: str) -> list[tuple]:
         """What a text means, as (object, property, value); raises ValueError with the reason."""
         k, text = self.segment, text.strip()

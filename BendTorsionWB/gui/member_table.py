@@ -25,6 +25,8 @@ class MemberTable(DocumentDock):
         headings = [translate("BendTorsion", name) for name in member_rows.COLUMNS]
         self.table = RowTable(headings)
         self.table.edited.connect(self._edit)
+        self.table.judge = self._reason
+        self.table.choices = self._choices
         self.rows: list[member_rows.Row] = []
         self.sized = False
         super().__init__(NAME, translate("BendTorsion", "Member table"), self.table)
@@ -49,6 +51,14 @@ class MemberTable(DocumentDock):
         if not self.sized and self.rows:
             self.table.resizeColumnsToContents()
             self.sized = True
+
+    def _reason(self, row: int, column: int, text: str) -> str:
+        """Why a text cannot be in a cell; empty when it can."""
+        _, reasons = member_rows.edits_of(self.rows, {(row, column): text})
+        return reasons.get((row, column), "")
+
+    def _choices(self, row: int, column: int) -> list[str]:
+        return self.rows[row].choices(member_rows.COLUMNS[column])
 
     def _edit(self, cells) -> None:
         """Write what can be read, in one undo step; mark what cannot, with the reason."""

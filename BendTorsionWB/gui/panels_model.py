@@ -153,7 +153,13 @@ class AlignmentPanel(TaskPanel):
         members = preview.objects
         self.picker = AlignmentPicker(members[0].Align1)
         self.picker.chosen.connect(self._align)
-        self.body.addWidget(self.picker)
+        line = QtWidgets.QHBoxLayout()
+        line.addWidget(self.picker)
+        hint = QtWidgets.QLabel(translate("BendTorsion", "or click the member where the axis is to be"))
+        hint.setWordWrap(True)
+        line.addWidget(hint, 1)
+        self.body.addLayout(line)
+        self.clicks = None
         rows = [
             ("AlignTo1", translate("BendTorsion", "Align to")),
             ("OffsetY", translate("BendTorsion", "Offset along the breadth")),
@@ -161,6 +167,20 @@ class AlignmentPanel(TaskPanel):
         ]
         self.fields = PropertyForm(members, rows, self._changed_all)
         self.add_form(self.fields)
+
+    def show(self) -> None:
+        """Follow clicks on the members, too."""
+        from BendTorsionWB.gui.face_pick import FacePick
+
+        super().show()
+        self.clicks = FacePick(self.preview.objects, self.picker.choose)
+
+    def stop(self) -> None:
+        """Leave the clicks alone."""
+        super().stop()
+        if self.clicks is not None:
+            self.clicks.stop()
+            self.clicks = None
 
     def _align(self, value: str) -> None:
         for member in self.preview.objects:

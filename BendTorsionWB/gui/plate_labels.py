@@ -7,6 +7,7 @@ import numpy as np
 from pivy import coin
 
 from BendTorsionWB.core.lofting import DevelopedPlate, MemberRecord
+from BendTorsionWB.gui.label_layer import Label
 
 MARK_LIFT = 0.15
 """A mark floats above the middle of its plate by this part of the plate's width, so that it is
@@ -18,45 +19,43 @@ POINT_COLOURS = ("0.3 0.05 0.05", "1 0.93 0.85")
 """Of text and of the ground it stands on, to be read on light and dark views."""
 
 
-def mark_labels(record: MemberRecord) -> coin.SoSeparator:
+def mark_labels(record: MemberRecord) -> list[Label]:
     """The mark of each plate beside the middle of its outer face."""
-    group = coin.SoSeparator()
-    for plate in record.plates:
-        group.addChild(label(plate.mark, _middle(plate), MARK_COLOURS, 15))
-    return group
+    return [
+        Label(
+            plate.mark,
+            _middle(plate),
+            MARK_COLOURS,
+            15,
+            plate.length,
+            framed=True,
+            normal=plate.placing[2, :3],
+        )
+        for plate in record.plates
+    ]
 
 
-def point_labels(record: MemberRecord) -> coin.SoSeparator:
-    """The station lines of the plates, on their outer faces, and the labels of lines and points."""
-    group = coin.SoSeparator()
-    ends, texts = [], []
+def point_labels(record: MemberRecord) -> tuple[coin.SoSeparator | None, list[Label]]:
+    """The station lines of the plates, on their outer faces, and the labels of lines and points;
+    lines before points, as far apart as their neighbours."""
+    ends, labels = [], []
     for plate in record.plates:
-        lift = POINT_LIFT * plate.placing[2, :3]
+        normal = plate.placing[2, :3]
+        lift = POINT_LIFT * normal
         arris = [point for point in plate.points if point.kind == "arris"]
-        texts += [(p.label, p.xyz + lift, POINT_COLOURS) for p in arris]
+        room = min(plate.length / max(len(plate.lines) - 1, 1), plate.width)
+        labels += [
+            Label(p.label, p.xyz + lift, POINT_COLOURS, 8, room, 2, normal=normal) for p in arris
+        ]
         for line in plate.lines:
             pair = [point.xyz + lift for point in arris if point.line == line.label]
             if len(pair) == 2:
                 ends += pair
-                texts.append((line.label, 0.5 * (pair[0] + pair[1]), LINE_COLOURS))
-    if ends:
-        group.addChild(_lines(np.array(ends)))
-    for text, place, colours in texts:
-        group.addChild(label(text, place, colours, 8, framed=False))
-    return group
-
-
-def label(text: str, place: np.ndarray, colours: tuple[str, str], size: int, framed=True):
-    """Text at a place (3,), always facing the viewer, on a ground of its own (SoSeparator)."""
-    made = coin.SoSeparator()
-    move = coin.SoTranslation()
-    move.translation.setValue(*map(float, place))
-    made.addChild(move)
-    frame = coin.SoType.fromName("SoFrameLabel").createInstance()
-    frame.set(f'string "{text}" textColor {colours[0]} backgroundColor {colours[1]}')
-    frame.set(f"size {size} frame {'TRUE' if framed else 'FALSE'}")
-    made.addChild(frame)
-    return made
+                middle = 0.5 * (pair[0] + pair[1])
+                labels.append(
+                    Label(line.label, middle, LINE_COLOURS, 8, room, 1, normal=normal)
+                )
+    return (_lines(np.array(ends)) if ends else None), labels
 
 
 def _middle(plate: DevelopedPlate) -> np.ndarray:

@@ -10,7 +10,7 @@ from BendTorsionWB.core.part_tables import PART_COLUMNS, READERS
 from BendTorsionWB.core.sections.section import BOX_FACES
 from BendTorsionWB.gui.joint_words import joints_text, set_joints
 from BendTorsionWB.gui.preview import Preview
-from BendTorsionWB.gui.property_form import FLAWED, PropertyForm
+from BendTorsionWB.gui.property_form import PropertyForm
 from BendTorsionWB.gui.qt import QtWidgets
 from BendTorsionWB.gui.row_table import RowTable
 from BendTorsionWB.gui.task_panel import TaskPanel
@@ -58,7 +58,7 @@ class PlatesPanel(TaskPanel):
         """Keep the edits; the plates stand for the member from then on."""
         member = self.plates.Member
         done = super().accept()
-        if member is not None:
+        if done and member is not None:
             member.ViewObject.Visibility = False
         return done
 
@@ -67,11 +67,9 @@ class PlatesPanel(TaskPanel):
         try:
             set_joints(self.plates, face, text)
         except ValueError as problem:
-            field.setStyleSheet(FLAWED)
-            field.setToolTip(str(problem))
+            self.refuse(field, f"{translate('BendTorsion', face)}: {problem}")
             return
-        field.setStyleSheet("")
-        field.setToolTip("")
+        self.refuse(field, "")
         self.changed()
 
 
@@ -104,7 +102,7 @@ class PartsPanel(TaskPanel):
         texts = self.rows.texts()
         self.rows.show_rows(texts)
         self.rows.resizeColumnsToContents()
-        rows, flawed = [], False
+        rows, reason = [], ""
         for r, cells in enumerate(texts):
             row = dict(zip(self.columns, cells, strict=True))
             try:
@@ -116,10 +114,13 @@ class PartsPanel(TaskPanel):
                 READERS[self.table](row)
                 rows.append(row)
             except (ValueError, BendTorsionError) as problem:
-                flawed = True
+                told = _told(problem)
+                line = translate("BendTorsion", "row {number}: {reason}")
+                reason = reason or line.format(number=r + 1, reason=told)
                 for c in range(len(self.columns)):
-                    self.rows.flag(r, c, str(problem))
-        if not flawed:
+                    self.rows.flag(r, c, told)
+        self.refuse(self.rows, reason)
+        if not reason:
             plate_parts.set_parts(self.plates, self.table, rows)
             self.changed()
 
@@ -133,6 +134,14 @@ def faces_of(plates) -> list[str]:
         and plates.getTypeIdOfProperty(name) == "App::PropertyFloatList"
     ]
     return list(dict.fromkeys([*BOX_FACES, *others]))
+
+
+def _told(problem: Exception) -> str:
+    """What is wrong with a row, and its mend."""
+    if isinstance(problem, BendTorsionError):
+        finding = problem.findings[0]
+        return f"{finding.message}. {finding.mend}"
+    return translate("BendTorsion", "a number is missing or cannot be read")
 
 
 def _text(value) -> str:

@@ -4,14 +4,18 @@ it: the values are written into each object when a command makes it, and into it
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import FreeCAD
 
 from BendTorsionWB.core import tolerances
+from BendTorsionWB.core.patterns.layer_names import LAYERS as LAYER_KEYS
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+SEGMENTS = 4
+"""Which argument of make_member its segments are."""
 GROUP = "User parameter:BaseApp/Preferences/Mod/BendTorsion"
 
 
@@ -19,8 +23,8 @@ GROUP = "User parameter:BaseApp/Preferences/Mod/BendTorsion"
 class Preference:
     """A value new objects start with: argument `argument` of `make.function`.
 
-    default: what it is until the user says otherwise, a float being a length in mm; listed: choices
-    of a text that is one of some.
+    default: what it is until the user says otherwise, a float being a length in mm unless `unit` is
+    empty; listed: choices of a text that is one of some.
     """
 
     name: str
@@ -29,6 +33,7 @@ class Preference:
     function: str
     argument: str
     listed: tuple[str, ...] | Callable[[], tuple[str, ...]] = ()
+    unit: str = "mm"
 
     @property
     def choices(self) -> tuple[str, ...]:
@@ -41,7 +46,8 @@ class Preference:
         stored = FreeCAD.ParamGet(GROUP)
         if isinstance(self.default, float):
             value = stored.GetFloat(self.name, self.default)
-            return value if value > 0.0 else self.default
+            usable = math.isfinite(value) and (value > 0.0 if self.unit else value >= 0.0)
+            return value if usable else self.default
         value = stored.GetString(self.name, self.default)
         return value if not self.choices or value in self.choices else self.default
 
@@ -65,6 +71,12 @@ def _modes() -> tuple[str, ...]:
     from BendTorsionWB.core.patterns.pattern import MODES
 
     return MODES
+
+
+def _sheet_formats() -> tuple[str, ...]:
+    from BendTorsionWB.core.drawings.sheet_style import FORMATS
+
+    return tuple(FORMATS)
 
 
 SECTIONS = (
@@ -116,11 +128,57 @@ OTHERS = (
         _modes,
     ),
     Preference(
+        "Slope",
+        QT_TRANSLATE_NOOP("BendTorsion", "Slope of transitions 1 :"),
+        2.5,
+        "make_member",
+        "slope",
+        unit="",
+    ),
+)
+SHEETS = (
+    Preference(
         "Project", QT_TRANSLATE_NOOP("BendTorsion", "Project"), "", "make_sheets", "project"
     ),
     Preference("Author", QT_TRANSLATE_NOOP("BendTorsion", "Drawn by"), "", "make_sheets", "author"),
+    Preference(
+        "SheetFormat",
+        QT_TRANSLATE_NOOP("BendTorsion", "Format"),
+        "A3",
+        "make_sheets",
+        "format",
+        _sheet_formats,
+    ),
+    Preference(
+        "SheetStandard",
+        QT_TRANSLATE_NOOP("BendTorsion", "Standard"),
+        "ISO",
+        "make_sheets",
+        "standard",
+        ("ISO", "AWS"),
+    ),
+    Preference(
+        "SheetLanguage",
+        QT_TRANSLATE_NOOP("BendTorsion", "Language"),
+        "en",
+        "make_sheets",
+        "language",
+        ("en", "zh"),
+    ),
+    Preference(
+        "SheetUnit",
+        QT_TRANSLATE_NOOP("BendTorsion", "Unit"),
+        "mm",
+        "make_sheets",
+        "unit",
+        ("mm", "ft-in"),
+    ),
 )
-PREFERENCES = (*SECTIONS, *OTHERS)
+LAYERS = tuple(
+    Preference(f"Layer{name}", name, name, "make_unfold", "layers") for name in LAYER_KEYS
+)
+"""Names of the layers of cut files."""
+PREFERENCES = (*SECTIONS, *OTHERS, *SHEETS, *LAYERS)
 
 
 def preferred(name: str) -> float | str:
@@ -128,16 +186,29 @@ def preferred(name: str) -> float | str:
     return next(item for item in PREFERENCES if item.name == name).value
 
 
-def with_preferences(function: str, named: dict) -> dict:
+def with_preferences(
+    function: str, arguments: Sequence, named: dict
+) -> tuple[list[object], dict[str, object]]:
     """Arguments of `make.function`, completed by what the user prefers and by nothing that is the
     default anyway. A section that is given any size keeps all of its own."""
+    arguments = list(arguments)
     if function == "make_section" and named:
-        return named
+        return arguments, named
     own = {
         item.argument: item.value
         for item in PREFERENCES
         if item.function == function
         and (item in SECTIONS or item.value != item.default)
-        and item.argument not in named
+        and item.argument not in (*named, "slope", "layers")
     }
-    return {**named, **own}
+    renamed = {item.default: item.value for item in LAYERS if item.value not in ("", item.default)}
+    if function == "make_unfold" and renamed and "layers" not in named:
+        own["layers"] = renamed
+    slope = next(item for item in OTHERS if item.argument == "slope")
+    if slope.value != slope.default:
+        if function == "add_cut" and "slope" not in named:
+            own["slope"] = slope.value
+        if function == "make_member" and len(arguments) > SEGMENTS:
+            first, *others = arguments[SEGMENTS]
+            arguments[SEGMENTS] = [first, *({"slope": slope.value, **one} for one in others)]
+    return arguments, {**named, **own}

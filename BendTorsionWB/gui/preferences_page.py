@@ -1,40 +1,33 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The workbench's page in FreeCAD's preferences."""
+"""The workbench's pages in FreeCAD's preferences: new objects, files, language."""
 
 from __future__ import annotations
 
 import FreeCAD
+import FreeCADGui
 
-from BendTorsionWB.gui.preferences import OTHERS, SECTIONS
+from BendTorsionWB.gui.preferences import LAYERS, OTHERS, SECTIONS, SHEETS
 from BendTorsionWB.gui.property_form import quantity_field
 from BendTorsionWB.gui.qt import QtWidgets
 
 translate = FreeCAD.Qt.translate
 LEAST = 0.0001
+LANGUAGES = {"English": "English", "Chinese Simplified": "简体中文"}
+"""Languages the workbench speaks, by FreeCAD's names, each in itself."""
+GENERAL = "User parameter:BaseApp/Preferences/General"
 
 
-class PreferencesPage:
+class _Page:
     """FreeCAD makes one when its preferences open, and calls loadSettings and saveSettings."""
 
-    def __init__(self):
+    def __init__(self, title: str):
         self.form = QtWidgets.QWidget()
-        self.form.setWindowTitle(translate("BendTorsion", "New objects"))
+        self.form.setWindowTitle(title)
         self.fields = {}
-        layout = QtWidgets.QVBoxLayout(self.form)
-        layout.addWidget(self._group(translate("BendTorsion", "Section"), SECTIONS))
-        layout.addWidget(self._group(translate("BendTorsion", "Other objects"), OTHERS))
-        note = QtWidgets.QLabel(
-            translate(
-                "BendTorsion",
-                "New objects start with these. Objects that are there keep their own values, and"
-                " documents their results. The language is that of FreeCAD.",
-            )
-        )
-        note.setWordWrap(True)
-        layout.addWidget(note)
-        layout.addStretch()
+        self.layout = QtWidgets.QVBoxLayout(self.form)
 
-    def _group(self, title: str, preferences):
+    def group(self, title: str, preferences):
+        """A box of fields."""
         box = QtWidgets.QGroupBox(title)
         form = QtWidgets.QFormLayout(box)
         for item in preferences:
@@ -42,22 +35,35 @@ class PreferencesPage:
                 field = QtWidgets.QComboBox()
                 for choice in item.choices:
                     field.addItem(translate("BendTorsion", choice), choice)
-            elif isinstance(item.default, float):
-                field = quantity_field(item.default, "mm", LEAST)
+            elif isinstance(item.default, float) and item.unit:
+                field = quantity_field(item.default, item.unit, LEAST)
                 if item.default < 1.0:
                     field.setProperty("decimals", 4)
+            elif isinstance(item.default, float):
+                field = QtWidgets.QDoubleSpinBox()
+                field.setRange(0.0, 1000.0)
             else:
                 field = QtWidgets.QLineEdit()
+                field.setPlaceholderText(item.default)
             field.setObjectName(item.name)
             form.addRow(translate("BendTorsion", item.label), field)
             self.fields[item.name] = item, field
-        return box
+        self.layout.addWidget(box)
+
+    def note(self, text: str) -> None:
+        """Words below the fields."""
+        label = QtWidgets.QLabel(text)
+        label.setWordWrap(True)
+        self.layout.addWidget(label)
+        self.layout.addStretch()
 
     def loadSettings(self):
         """Show what is preferred now."""
         for item, field in self.fields.values():
             if item.choices:
                 field.setCurrentIndex(field.findData(item.value))
+            elif isinstance(field, QtWidgets.QDoubleSpinBox):
+                field.setValue(item.value)
             elif isinstance(item.default, float):
                 field.setProperty("rawValue", item.value)
             else:
@@ -68,7 +74,65 @@ class PreferencesPage:
         for item, field in self.fields.values():
             if item.choices:
                 item.keep(field.currentData())
+            elif isinstance(field, QtWidgets.QDoubleSpinBox):
+                item.keep(field.value())
             elif isinstance(item.default, float):
                 item.keep(float(field.property("rawValue")))
             else:
-                item.keep(field.text())
+                item.keep(field.text().strip() or item.default)
+
+
+class PreferencesPage(_Page):
+    """What new objects start with."""
+
+    def __init__(self):
+        super().__init__(translate("BendTorsion", "New objects"))
+        self.group(translate("BendTorsion", "Section"), SECTIONS)
+        self.group(translate("BendTorsion", "Other objects"), OTHERS)
+        self.note(
+            translate(
+                "BendTorsion",
+                "New objects start with these. Objects that are there keep their own values, and"
+                " documents their results.",
+            )
+        )
+
+
+class OutputPage(_Page):
+    """What new sheets and cut files start with, and the language of the window."""
+
+    def __init__(self):
+        super().__init__(translate("BendTorsion", "Files and language"))
+        box = QtWidgets.QGroupBox(translate("BendTorsion", "Window"))
+        form = QtWidgets.QFormLayout(box)
+        self.language = QtWidgets.QComboBox()
+        self.language.setObjectName("WindowLanguage")
+        form.addRow(translate("BendTorsion", "Language of FreeCAD"), self.language)
+        self.layout.addWidget(box)
+        self.group(translate("BendTorsion", "Drawing sheets"), SHEETS)
+        self.group(translate("BendTorsion", "Layers of cut files"), LAYERS)
+        self.note(
+            translate(
+                "BendTorsion",
+                "New sheets and flat patterns start with these; those that are there keep their"
+                " own.",
+            )
+        )
+
+    def loadSettings(self):
+        """With the language FreeCAD speaks now."""
+        super().loadSettings()
+        now = FreeCADGui.getLocale()
+        names = {**LANGUAGES, now: LANGUAGES.get(now, now)}
+        self.language.clear()
+        for name, own in names.items():
+            self.language.addItem(own, name)
+        self.language.setCurrentIndex(self.language.findData(now))
+
+    def saveSettings(self):
+        """FreeCAD speaks the language from now on, and when it starts again."""
+        super().saveSettings()
+        wanted = self.language.currentData()
+        if wanted and wanted != FreeCADGui.getLocale():
+            FreeCAD.ParamGet(GENERAL).SetString("Language", wanted)
+            FreeCADGui.setLocale(wanted)

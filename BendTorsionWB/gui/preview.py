@@ -28,6 +28,7 @@ class Preview:
             self.cancel()
             raise
         self.before = [_inputs(obj) for obj in self.objects]
+        self.bound_before = [_bound(obj) for obj in self.objects]
 
     def accept(self) -> None:
         """One undo step of recorded lines; nothing when nothing was made or changed."""
@@ -37,13 +38,23 @@ class Preview:
             for name, value in _inputs(obj).items()
             if name not in self.before[k] or not _same(value, self.before[k][name])
         ]
+        bound = [
+            (k, name, _bound(obj).get(name))
+            for k, obj in enumerate(self.objects)
+            for name in {**self.bound_before[k], **_bound(obj)}
+            if _bound(obj).get(name) != self.bound_before[k].get(name)
+        ]
         self.cancel()
-        if not edits and not self.create:
+        if not edits and not bound and not self.create:
             return
         with macro.undo_step(self.document, self.name):
-            objects = list(self.create(macro.make)) if self.create else self.objects
+            if self.create:
+                self.objects = list(self.create(macro.make))
+            objects = self.objects
             for k, name, value in edits:
                 macro.put(objects[k], name, value)
+            for k, name, text in bound:
+                macro.bind(objects[k], name, text)
             macro.recompute()
 
     def cancel(self) -> None:
@@ -54,7 +65,9 @@ class Preview:
 
 def _make_unrecorded(function: str, *arguments, **named):
     from BendTorsionWB import make
+    from BendTorsionWB.gui.preferences import with_preferences
 
+    arguments, named = with_preferences(function, arguments, named)
     return getattr(make, function)(*arguments, **named)
 
 
@@ -71,6 +84,11 @@ def _inputs(obj) -> dict[str, object]:
         if name.startswith(("Joints", "Lanes")) and name not in names and name not in outputs
     ]
     return {name: getattr(obj, name) for name in dict.fromkeys(names)}
+
+
+def _bound(obj) -> dict[str, str]:
+    """The expressions of an object by property."""
+    return {path.lstrip("."): text for path, text in obj.ExpressionEngine}
 
 
 def _same(one, other) -> bool:

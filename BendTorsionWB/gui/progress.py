@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import time
 from contextlib import contextmanager
 
 import FreeCAD
@@ -13,25 +14,38 @@ from BendTorsionWB.gui.qt import QtCore, QtWidgets
 translate = FreeCAD.Qt.translate
 
 
+PATIENCE = 0.7
+"""Seconds work may take before a bar is shown, where it mostly takes less."""
+NEVER = 2**30
+"""Milliseconds."""
+
+
 class Cancelled(Exception):
     """The user stopped the work."""
 
 
 @contextmanager
-def progress(title: str):
-    """A `project.Progress` that shows a dialog with Cancel; it raises Cancelled once that is
-    pressed, so that the work stops between two of its steps."""
+def progress(title: str, patience: float = 0.0):
+    """A `project.Progress`, which `make_files` tells too, that shows a dialog with Cancel once the
+    work has lasted `patience` seconds; it raises Cancelled once that is pressed, so that the work
+    stops between two of its steps."""
+    started = time.monotonic()
     dialog = QtWidgets.QProgressDialog(FreeCADGui.getMainWindow())
     dialog.setWindowTitle(title)
     dialog.setLabelText(title)
     dialog.setCancelButtonText(translate("BendTorsion", "Cancel"))
     dialog.setWindowModality(QtCore.Qt.ApplicationModal)
-    dialog.setMinimumDuration(0)
+    # It would show itself, patience or none.
+    dialog.setMinimumDuration(NEVER)
     dialog.setAutoReset(False)
     dialog.setAutoClose(False)
     dialog.setMinimumWidth(420)
 
     def report(what: str, done: int, count: int) -> None:
+        if not dialog.isVisible() and not dialog.wasCanceled():
+            if time.monotonic() - started < patience:
+                return
+            dialog.show()
         dialog.setLabelText(f"{title}: {what}")
         dialog.setMaximum(max(count, 1))
         dialog.setValue(done)
@@ -39,10 +53,14 @@ def progress(title: str):
         if dialog.wasCanceled():
             raise Cancelled
 
-    dialog.show()
+    # Here: the workbench opens without loading scipy.
+    from BendTorsionWB.make_files import PROGRESS
+
+    former = PROGRESS.set(report)
     try:
         report("", 0, 1)
         yield report
     finally:
+        PROGRESS.reset(former)
         dialog.close()
         dialog.deleteLater()

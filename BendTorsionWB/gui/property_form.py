@@ -9,6 +9,7 @@ from functools import partial
 import FreeCAD
 import FreeCADGui
 
+from BendTorsionWB.gui.link_picker import LinkPicker
 from BendTorsionWB.gui.qt import QtWidgets
 
 translate = FreeCAD.Qt.translate
@@ -26,7 +27,8 @@ class PropertyForm(QtWidgets.QWidget):
     """Fields for properties of one object, or of several that get the same value.
 
     rows: (property, label). kinds: the kind of object a link property chooses from. changed: called
-    after each edit. An edit a property refuses is marked at its field with the reason.
+    after each edit. `refused`: by property, why its field holds what the property cannot be, marked
+    at the field; `judged` is called when that changes.
     """
 
     def __init__(
@@ -37,10 +39,13 @@ class PropertyForm(QtWidgets.QWidget):
         kinds=None,
     ):
         super().__init__()
+        self.judged: Callable[[], None] = lambda: None
         self.objects, self.changed, self.kinds = list(objects), changed, dict(kinds or {})
         self.fields: dict[str, QtWidgets.QWidget] = {}
         self.labels: dict[str, QtWidgets.QLabel] = {}
+        self.pickers: dict[str, LinkPicker] = {}
         self.reasons: dict[str, str] = {}
+        self.refused: dict[str, str] = {}
         # Fields that lose the focus while they are taken down tell of an edit once more.
         self.ended = False
         self.layout_ = QtWidgets.QFormLayout(self)
@@ -53,6 +58,8 @@ class PropertyForm(QtWidgets.QWidget):
         for name, field in self.fields.items():
             field.setVisible(name in names)
             self.labels[name].setVisible(name in names)
+            if name in self.pickers:
+                self.pickers[name].button.setVisible(name in names)
 
     def read(self) -> None:
         """Fill the fields from the first object."""
@@ -60,13 +67,28 @@ class PropertyForm(QtWidgets.QWidget):
             field.blockSignals(True)
             _show(field, getattr(self.objects[0], name))
             field.blockSignals(False)
+            self.judge(name, "")
 
     def flag(self, name: str, reason: str) -> None:
-        """Mark a field with what is wrong, or take the mark off."""
+        """Mark a field with what is wrong, or take the mark off; unreadable text comes first."""
+        reason = self.refused.get(name) or reason
         field = self.fields[name]
         field.setStyleSheet(FLAWED if reason else "")
         field.setToolTip(reason or self._tip(name))
         self.reasons[name] = reason
+
+    def told(self) -> list[str]:
+        """What is wrong with the fields that hold what cannot be, one line each."""
+        return [f"{self.labels[name].text()}: {reason}" for name, reason in self.refused.items()]
+
+    def judge(self, name: str, reason: str) -> None:
+        """Take note of a field that holds nothing the property can be, or that it does again."""
+        if reason:
+            self.refused[name] = reason
+        elif self.refused.pop(name, None) is None:
+            return
+        self.flag(name, reason)
+        self.judged()
 
     def _tip(self, name: str) -> str:
         tip = self.objects[0].getDocumentationOfProperty(name)
@@ -84,17 +106,63 @@ class PropertyForm(QtWidgets.QWidget):
         field.setToolTip(self._tip(name))
         self.labels[name] = QtWidgets.QLabel(label)
         self.labels[name].setBuddy(field)
-        self.layout_.addRow(self.labels[name], field)
+        if obj.getTypeIdOfProperty(name) == "App::PropertyLink":
+            picker = LinkPicker(self, name, self.kinds.get(name, ""))
+            self.pickers[name] = picker
+            line = QtWidgets.QHBoxLayout()
+            line.addWidget(field, 1)
+            line.addWidget(picker.button)
+            self.layout_.addRow(self.labels[name], line)
+        else:
+            self.layout_.addRow(self.labels[name], field)
+        if obj.getTypeIdOfProperty(name) in UNITS:
+            unit = UNITS[obj.getTypeIdOfProperty(name)]
+            line = field.findChild(QtWidgets.QLineEdit)
+            line.textChanged.connect(lambda text: self._text_changed(name, text, unit))
+
+    def _text_changed(self, name: str, text: str, unit: str) -> None:
+        """Judge what is typed into a quantity field; `= …` is an expression."""
+        if self.ended:
+            return
+        if not text.startswith("="):
+            self.judge(name, text_fault(self.fields[name], text, unit))
+            return
+        given = text[1:].strip()
+        try:
+            # An expression that means nothing is taken by FreeCAD and fails at every recompute.
+            value = self.objects[0].evalExpression(given)
+            unit_of = getattr(value, "Unit", FreeCAD.Units.Unit())
+            wanted = FreeCAD.Units.Quantity(f"1 {unit}").Unit
+            if unit_of not in (wanted, FreeCAD.Units.Unit()) or isinstance(value, str):
+                raise ValueError(translate("BendTorsion", "it has another unit"))
+            for obj in self.objects:
+                obj.setExpression(name, given)
+        except Exception as problem:  # noqa: BLE001 - FreeCAD raises many kinds for expressions
+            words = translate("BendTorsion", "the expression cannot be read: {reason}")
+            self.judge(name, words.format(reason=words_of(problem)))
+            return
+        self.judge(name, "")
+        self.changed()
 
     def _edited(self, name: str, value) -> None:
         if self.ended:
             return
+        # What is typed takes the place of an expression.
+        for obj in self.objects:
+            if _expression(obj, name):
+                obj.setExpression(name, None)
+        before = [getattr(obj, name) for obj in self.objects]
+        reader = READERS.get(self.objects[0].getTypeIdOfProperty(name), lambda given: given)
         try:
+            value = reader(value)
             for obj in self.objects:
                 setattr(obj, name, value)
         except (ValueError, TypeError, ArithmeticError) as problem:
-            self.flag(name, str(problem))
+            for obj, former in zip(self.objects, before, strict=True):
+                setattr(obj, name, former)
+            self.judge(name, words_of(problem))
             return
+        self.judge(name, "")
         self.flag(name, "")
         self.changed()
 
@@ -107,6 +175,37 @@ def quantity_field(value: float, unit: str, least: float = -LARGEST):
     field.setProperty("maximum", LARGEST)
     field.setProperty("rawValue", value)
     return field
+
+
+def words_of(problem: Exception) -> str:
+    """What an exception of FreeCAD says; some carry a record instead of a text."""
+    given = problem.args[0] if problem.args else ""
+    return str(given.get("sErrMsg", given)) if isinstance(given, dict) else str(given)
+
+
+def text_fault(field, text: str, unit: str) -> str:
+    """Why the text of a quantity field is no value in its bounds; empty when it is."""
+    if field.hasAcceptableInput():
+        return ""
+    if not text.strip():
+        return translate("BendTorsion", "a value is missing")
+    wanted = FreeCAD.Units.Quantity(f"1 {unit}").Unit
+    try:
+        quantity = FreeCAD.Units.Quantity(text.replace(",", "."))
+    except (ValueError, ArithmeticError):
+        return translate("BendTorsion", "{text} cannot be read").format(text=text)
+    if quantity.Unit not in (wanted, FreeCAD.Units.Unit()):
+        return translate("BendTorsion", "{text} has another unit than {unit}").format(
+            text=text, unit=unit
+        )
+    number = quantity.Value
+    if quantity.Unit == wanted:
+        number = float(quantity.getValueAs(unit).Value)
+    least, most = field.property("minimum"), field.property("maximum")
+    if not least <= number <= most:
+        words = translate("BendTorsion", "{text} is not between {least:g} and {most:g} {unit}")
+        return words.format(text=text, least=least, most=most, unit=unit)
+    return ""
 
 
 def _new_quantity_field():
@@ -166,9 +265,35 @@ def _field(obj, name: str, edited, kind):
         field.setValue(value)
         field.valueChanged.connect(edited)
         return field
+    if type_ in READERS:
+        field = QtWidgets.QLineEdit(_words(value))
+        field.textEdited.connect(edited)
+        return field
     field = QtWidgets.QLineEdit(str(value))
     field.editingFinished.connect(lambda: edited(field.text()))
     return field
+
+
+def _read_vector(text: str) -> FreeCAD.Vector:
+    try:
+        numbers = [float(word) for word in text.replace(";", " ").replace(",", " ").split()]
+    except ValueError:
+        numbers = []
+    if len(numbers) != 3:
+        raise ValueError(translate("BendTorsion", "give three numbers: x, y, z"))
+    return FreeCAD.Vector(*numbers)
+
+
+def _read_words(text: str) -> list[str]:
+    return text.replace(",", " ").replace(";", " ").split()
+
+
+READERS = {"App::PropertyVector": _read_vector, "App::PropertyStringList": _read_words}
+"""What reads the text of properties that have no field of their own."""
+
+
+def _words(value) -> str:
+    return ", ".join(f"{item:g}" if isinstance(item, float) else str(item) for item in value)
 
 
 def _in_unit(value, unit: str) -> float:
@@ -185,7 +310,8 @@ def _show(field, value) -> None:
     elif isinstance(field, QtWidgets.QDoubleSpinBox):
         field.setValue(value)
     elif isinstance(field, QtWidgets.QLineEdit):
-        field.setText(str(value))
+        plain = isinstance(value, str | int)
+        field.setText(str(value) if plain else _words(value))
     else:
         unit = field.property("unit")
         field.setProperty("rawValue", _in_unit(value, unit))

@@ -10,6 +10,9 @@ try:
 
     QtWidgets = QtGui
 except ImportError:
-    from PySide2 import QtCore, QtGui, QtWidgets
+    try:
+        from PySide2 import QtCore, QtGui, QtWidgets
+    except ImportError:
+        from PySide6 import QtCore, QtGui, QtWidgets
 
 __all__ = ["QtCore", "QtGui", "QtWidgets"]

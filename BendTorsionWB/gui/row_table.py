@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import csv
+from collections.abc import Callable
+
 import FreeCAD
 
 from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
@@ -13,7 +16,11 @@ BAD = "#d9534f"
 
 class RowTable(QtWidgets.QTableWidget):
     """Rows of text. `edited` is told the cells written, {(row, column): text}, once per action:
-    typing, pasting, filling down or clearing. Cells given in `locked` cannot be written."""
+    typing, pasting, filling down or clearing. Cells given in `locked` cannot be written.
+
+    judge: (row, column, text) -> why a text cannot be, told while it is typed. choices: (row,
+    column) -> the texts that can be, offered while one is typed.
+    """
 
     edited = QtCore.Signal(object)
 
@@ -25,6 +32,9 @@ class RowTable(QtWidgets.QTableWidget):
         self.verticalHeader().setDefaultSectionSize(22)
         self.horizontalHeader().setStretchLastSection(True)
         self.cellChanged.connect(self._typed)
+        self.judge: Callable[[int, int, str], str] = lambda row, column, text: ""
+        self.choices: Callable[[int, int], list[str]] = lambda row, column: []
+        self.setItemDelegate(_Cell(self))
 
     def show_rows(self, rows, locked=()) -> None:
         """Show rows of text, with an empty one at the end when the table grows."""
@@ -80,26 +90,36 @@ class RowTable(QtWidgets.QTableWidget):
             super().keyPressEvent(event)
 
     def copy(self) -> None:
-        """The selected block as tab-separated text."""
+        """The selected block as tab-separated text; cells that are not selected are empty."""
         cells = self._selected()
         rows, columns = sorted({r for r, _ in cells}), sorted({c for _, c in cells})
-        lines = ["\t".join(self.item(r, c).text() for c in columns) for r in rows]
+        lines = [
+            "\t".join(self.item(r, c).text() if (r, c) in cells else "" for c in columns)
+            for r in rows
+        ]
         QtWidgets.QApplication.clipboard().setText("\n".join(lines))
 
     def paste(self) -> None:
-        """Tab-separated text from the first selected cell on; one value fills the selection."""
-        text = QtWidgets.QApplication.clipboard().text().rstrip("\r\n")
-        block = [line.split("\t") for line in text.splitlines()]
+        """Tab-separated text, as spreadsheets copy it, from the first selected cell on; repeated
+        when the selection is a multiple of it."""
+        block = block_of(QtWidgets.QApplication.clipboard().text())
         selected = self._selected()
         if not block or not selected:
             return
-        if len(block) == 1 and len(block[0]) == 1:
-            self.write(dict.fromkeys(selected, block[0][0].strip()))
+        r0, c0 = selected[0][0], min(c for _, c in selected)
+        rows = len({r for r, _ in selected})
+        columns = len({c for _, c in selected})
+        wide = max(map(len, block))
+        down = rows // len(block) if rows % len(block) == 0 else 1
+        across = columns // wide if columns % wide == 0 else 1
+        if len(block) == wide == 1:
+            self.write(dict.fromkeys(selected, block[0][0]))
             return
-        r0, c0 = selected[0]
         self.write(
             {
-                (r0 + r, c0 + c): cell.strip()
+                (r0 + i * len(block) + r, c0 + j * wide + c): cell
+                for i in range(max(down, 1))
+                for j in range(max(across, 1))
                 for r, line in enumerate(block)
                 for c, cell in enumerate(line)
             }
@@ -140,3 +160,41 @@ class RowTable(QtWidgets.QTableWidget):
 
     def _selected(self) -> list[tuple[int, int]]:
         return sorted((index.row(), index.column()) for index in self.selectedIndexes())
+
+
+def block_of(text: str) -> list[list[str]]:
+    """The cells of text from a spreadsheet's clipboard; LibreOffice and Excel quote those that hold
+    a tab, a line break or a quote."""
+    lines = text.rstrip("\r\n").splitlines(keepends=True)
+    return [[cell.strip() for cell in line] for line in csv.reader(lines, "excel-tab") if line]
+
+
+class _Cell(QtWidgets.QStyledItemDelegate):
+    """The editor of a cell: tells what cannot be while it is typed, offers what can."""
+
+    def __init__(self, table: RowTable):
+        super().__init__(table)
+        self.table = table
+
+    def createEditor(self, parent, option, index):
+        """Called by Qt when a cell is to be edited."""
+        editor = QtWidgets.QLineEdit(parent)
+        choices = self.table.choices(index.row(), index.column())
+        if choices:
+            completer = QtWidgets.QCompleter(choices, editor)
+            completer.setCompletionMode(QtWidgets.QCompleter.UnfilteredPopupCompletion)
+            completer.setCaseSensitivity(QtCore.Qt.CaseInsensitive)
+            editor.setCompleter(completer)
+        at = (index.row(), index.column())
+        editor.textChanged.connect(lambda text: self._judge(editor, at, text))
+        return editor
+
+    def _judge(self, editor, at, text: str) -> None:
+        reason = self.table.judge(*at, text)
+        editor.setStyleSheet(f"background: {BAD}; color: white;" if reason else "")
+        editor.setToolTip(reason)
+        if reason and editor.isVisible():
+            place = editor.mapToGlobal(QtCore.QPoint(0, editor.height()))
+            QtWidgets.QToolTip.showText(place, reason, editor)
+        else:
+            QtWidgets.QToolTip.hideText()

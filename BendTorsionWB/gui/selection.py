@@ -125,6 +125,15 @@ def _along(obj) -> list:
     return chain
 
 
+def standing_for(obj, kind: str):
+    """The object of a kind a picked one stands for, as a member for its axis; None for none."""
+    chain = _along(obj) if hasattr(obj, "BT_Type") else []
+    members = [item for item in chain if item.BT_Type == "Member"]
+    if kind == "Axis":
+        chain += [item.Axis for item in members if item.Axis is not None]
+    return next((item for item in chain if item.BT_Type == kind), None)
+
+
 def refusal(message: str, mend: str) -> BendTorsionError:
     """What to select instead."""
     return BendTorsionError([error("selection", "selection", message, mend=mend)])

@@ -1,32 +1,40 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The split editor: each face as a strip, its joints dragged, held against the rules at once."""
+"""The split editor: faces laid flat, their joints dragged and held against the rules at once."""
 
 from __future__ import annotations
-
-import json
-import re
 
 import FreeCAD
 
 from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.core.joints.joint_margins import Margin, joint_margins
+from BendTorsionWB.core.patterns.face_strip import face_strip
 from BendTorsionWB.gui.joint_words import set_joints
 from BendTorsionWB.gui.plates_panel import faces_of
 from BendTorsionWB.gui.preview import Preview
-from BendTorsionWB.gui.property_form import PropertyForm
+from BendTorsionWB.gui.property_form import PropertyForm, quantity_field
 from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
-from BendTorsionWB.gui.task_panel import COLOURS, TaskPanel
+from BendTorsionWB.gui.split_scene import BROKEN, KEPT, LEFT, JointItem, PlateItem, rows_of
+from BendTorsionWB.gui.task_panel import TaskPanel
 
 translate = FreeCAD.Qt.translate
-WIDTH, HEIGHT, GAP, LEFT = 560.0, 34.0, 22.0, 64.0
-PLATES = ("#e8b84a", "#f3d58c")
-STEP = 10.0
-"""Millimetres a joint moves with an arrow key; ten times with Shift."""
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 CLEAR = 1.0
 """Least distance of joints while they are dragged, mm."""
+SAME = 0.5
+"""mm; edges of plates nearer than this to a joint are that joint."""
+RULE_WORDS = {
+    "shortest_piece": QT_TRANSLATE_NOOP("BendTorsion", "shorter plate beside it"),
+    "longest_piece": QT_TRANSLATE_NOOP("BendTorsion", "longer plate beside it"),
+    "stagger": QT_TRANSLATE_NOOP("BendTorsion", "joint of the next face"),
+    "fold_clearance": QT_TRANSLATE_NOOP("BendTorsion", "nearest fold"),
+    "diaphragm_clearance": QT_TRANSLATE_NOOP("BendTorsion", "nearest diaphragm"),
+    "node_clearance": QT_TRANSLATE_NOOP("BendTorsion", "nearest node"),
+    "piece_end_clearance": QT_TRANSLATE_NOOP("BendTorsion", "nearest end of a piece"),
+}
 
 
 class SplitPanel(TaskPanel):
-    """Strips of all faces of a PlateSet; joints are dragged, added by double-click, deleted."""
+    """Developed strips of all faces of a PlateSet; joints are dragged, typed, added, removed."""
 
     def __init__(self, preview: Preview):
         super().__init__(preview, translate("BendTorsion", "Split editor"), "BendTorsion_Splits")
@@ -34,186 +42,288 @@ class SplitPanel(TaskPanel):
         rows = [("RulePack", translate("BendTorsion", "Rules"))]
         self.add_form(PropertyForm([self.plates], rows, self.changed))
         self.scene = QtWidgets.QGraphicsScene()
-        self.view = QtWidgets.QGraphicsView(self.scene)
-        self.view.setRenderHint(QtGui.QPainter.Antialiasing)
-        self.view.setMinimumHeight(270)
+        self.view = _View(self)
         self.view.setToolTip(
             translate(
                 "BendTorsion",
-                "Drag a joint or move it by arrow keys; double-click adds one, Del removes it",
+                "Drag a joint, or move it by the left and right arrow keys (Shift: ten times);"
+                " up and down choose another, double-click or Ins adds one, Del removes it",
             )
         )
         self.body.addWidget(self.view)
-        self.place = QtWidgets.QLabel()
-        self.body.addWidget(self.place)
+        self.which = QtWidgets.QLabel()
+        self.place = quantity_field(0.0, "mm", 0.0)
+        self.place.setObjectName("place")
+        self.place.setMinimumWidth(130)
+        self.place.valueChanged.connect(self._typed)
+        line = QtWidgets.QHBoxLayout()
+        line.addWidget(self.which, 1)
+        line.addWidget(self.place)
+        self.body.addLayout(line)
+        self.verdict = QtWidgets.QLabel()
+        self.verdict.setObjectName("verdict")
+        self.verdict.setWordWrap(True)
+        self.body.addWidget(self.verdict)
+        self.scale_note = QtWidgets.QLabel()
+        self.body.addWidget(self.scale_note)
         self.joints: dict[str, list[float]] = {}
+        self.forced: dict[str, list[float]] = {}
+        self.rows = {}
+        self.made = None
         self.length = 0.0
+        self.focus: tuple[str, int] | None = None
 
     def show_findings(self) -> None:
-        """Draw the strips again with what is found on them."""
+        """Draw the strips again with what is found."""
         super().show_findings()
         self._draw()
 
+    def margins(self, face: str, k: int) -> tuple[Margin, ...]:
+        """What the rules say of a joint where it stands now."""
+        from BendTorsionWB.core import rules
+
+        member = self.made.geometry.member
+        cuts = {name: self._cuts(name) for name in self.rows}
+        number = cuts[face].index(self.joints[face][k]) - 1
+        return joint_margins(
+            face,
+            number,
+            cuts,
+            rules.joint_rules(self.plates.RulePack),
+            self.adjacent,
+            member.law.folds,
+            self.made.given.keep_outs(
+                self.length, [piece.end for piece in self.made.pieces if piece.end < self.length]
+            ),
+        )
+
+    def keeps_rules(self, face: str, k: int) -> bool:
+        """Whether a joint keeps them all."""
+        return all(margin.kept for margin in self.margins(face, k))
+
     def move_joint(self, face: str, k: int, s: float) -> float:
         """Move a joint of a face between its neighbours; where it is then, mm."""
+        least, most = self._between(face, k)
+        self.joints[face][k] = round(min(max(s, least), most), 1)
+        self._write(face)
+        for item in self.scene.items():
+            if isinstance(item, JointItem):
+                item.show_at(self.joints[item.face][item.k])
+        self.chosen(face, k)
+        return self.joints[face][k]
+
+    def _between(self, face: str, k: int) -> tuple[float, float]:
+        """The least and the largest place of a joint between its neighbours."""
         own = self.joints[face]
         least = own[k - 1] + CLEAR if k else CLEAR
         most = own[k + 1] - CLEAR if k + 1 < len(own) else self.length - CLEAR
-        own[k] = round(min(max(s, least), most), 1)
-        text = translate("BendTorsion", "{face}: joint {number} at {place:.1f} mm")
-        self.place.setText(
-            text.format(face=translate("BendTorsion", face), number=k + 1, place=own[k])
-        )
-        self._write(face)
-        return own[k]
+        return least, most
 
     def add_joint(self, face: str, s: float) -> None:
         """A further joint of a face."""
-        self.joints[face] = sorted([*self.joints[face], round(s, 1)])
+        s = round(min(max(s, CLEAR), self.length - CLEAR), 1)
+        if any(abs(s - other) < CLEAR for other in self.joints[face]):
+            return
+        self.joints[face] = sorted([*self.joints[face], s])
+        self.focus = face, self.joints[face].index(s)
         self._write(face)
+
+    def divide(self, face: str) -> None:
+        """A further joint in the middle of the longest plate of a face."""
+        cuts = self._cuts(face)
+        _, start, end = max((b - a, a, b) for a, b in zip(cuts, cuts[1:], strict=False))
+        self.add_joint(face, 0.5 * (start + end))
 
     def remove_joint(self, face: str, k: int) -> None:
         """One joint less."""
         del self.joints[face][k]
+        self.focus = None
         self._write(face)
+
+    def choose_next(self, step: int) -> None:
+        """Give the next or the former joint the focus, face by face."""
+        order = [(face, k) for face in self.rows for k in range(len(self.joints[face]))]
+        if order:
+            at = order.index(self.focus) + step if self.focus in order else 0
+            self._focus_on(*order[at % len(order)])
+
+    def chosen(self, face: str, k: int) -> None:
+        """Show the place of a joint and each rule with its figure and its limit."""
+        self.focus = face, k
+        text = translate("BendTorsion", "{face}: joint {number} at")
+        self.which.setText(text.format(face=translate("BendTorsion", face), number=k + 1))
+        self._show_place(self.joints[face][k])
+        self.verdict.setText("<br>".join(map(_margin_line, self.margins(face, k))))
+
+    def _show_place(self, s: float) -> None:
+        self.place.setEnabled(True)
+        if self.place.hasFocus() or self.place.findChild(QtWidgets.QLineEdit).hasFocus():
+            return
+        if abs(float(self.place.property("rawValue")) - s) > 0.05:
+            self.place.blockSignals(True)
+            self.place.setProperty("rawValue", s)
+            self.place.blockSignals(False)
+
+    def _typed(self, _=None) -> None:
+        if self.focus is None or self.closed:
+            return
+        face, k = self.focus
+        s = float(self.place.property("rawValue"))
+        least, most = self._between(face, k)
+        if not least <= s <= most:
+            words = translate("BendTorsion", "between its neighbours: {least:.0f} to {most:.0f} mm")
+            self.refuse(self.place, words.format(least=least, most=most))
+            return
+        if self.place in self.refused:
+            self.refuse(self.place, "")
+        if abs(s - self.joints[face][k]) > 0.05:
+            self.move_joint(face, k, s)
 
     def _write(self, face: str) -> None:
         set_joints(self.plates, face, " ".join(f"{s:.10g}" for s in self.joints[face]))
         self.changed()
 
+    def _cuts(self, face: str) -> list[float]:
+        """Start of the member, joints and changes of thickness of a face, end of the member."""
+        return sorted([0.0, *self.joints[face], *self.forced[face], self.length])
+
     def _draw(self) -> None:
+        from BendTorsionWB.core import detailing
+        from BendTorsionWB.core.sections.section import strips_meet
         from BendTorsionWB.objects import plate_set
 
         try:
             made = plate_set.value(self.plates)
+            developed = detailing.record_of(made).plates
         except BendTorsionError:
             # The strips stay as they were; the findings say why.
             return
+        self.made, self.length = made, made.geometry.member.length
+        strips = made.geometry.member.law.strips
+        self.adjacent = {
+            one.face: [o.face for o in strips if o is not one and strips_meet(one, o)]
+            for one in strips
+        }
+        own = {
+            face: [plate for plate in developed if plate.face == face and plate.lines]
+            for face in faces_of(self.plates)
+        }
+        laid = {face: face_strip(plates) for face, plates in own.items() if plates}
+        self.rows, larger = rows_of({face: strip for face, strip in laid.items() if strip})
         self.scene.clear()
-        member = made.geometry.member
-        self.length = member.length
-        plates = [item.plate for item in made.plates]
-        for row, face in enumerate(faces_of(self.plates)):
-            own = [plate for plate in plates if plate.face == face]
-            if not own:
-                continue
-            top = row * (HEIGHT + GAP)
-            self._strip(face, own, top, member.law.folds)
-            self.joints[face] = self._joints_of(face, own)
-            for k, s in enumerate(self.joints[face]):
-                self.scene.addItem(JointItem(self, face, k, s, top))
-        for finding in map(json.loads, self.plates.Findings):
-            self._mark(finding)
-        self.scene.setSceneRect(self.scene.itemsBoundingRect().adjusted(-6, -6, 6, 6))
-        self.view.fitInView(self.scene.sceneRect(), QtCore.Qt.KeepAspectRatio)
+        for face in self.rows:
+            self.joints[face] = self._joints_of(face, own[face])
+            self.forced[face] = [
+                s
+                for s in sorted({round(plate.s_start, 3) for plate in own[face]})[1:]
+                if all(abs(s - joint) > SAME for joint in self.joints[face])
+            ]
+        for face, row in self.rows.items():
+            self._draw_row(face, row, own[face])
+        bounds = self.scene.itemsBoundingRect().adjusted(-6, -6, 6, 6)
+        self.scene.setSceneRect(bounds)
+        self.view.show_all()
+        note = translate(
+            "BendTorsion", "Each face laid flat; breadths drawn {times:.1f} times as large"
+        )
+        self.scale_note.setText(note.format(times=larger))
+        if self.focus is not None:
+            self._focus_on(*self.focus)
+        else:
+            self._summary()
+
+    def _draw_row(self, face: str, row, plates) -> None:
+        ink = self.form.palette().color(QtGui.QPalette.Text)
+        name = self.scene.addSimpleText(translate("BendTorsion", face))
+        name.setBrush(ink)
+        start = row.line(float(row.strip.s[0])).center()
+        name.setPos(-LEFT, start.y() - 8.0)
+        for k, plate in enumerate(sorted(plates, key=lambda plate: plate.s_start)):
+            item = PlateItem(self, face, row, k, plate.s_start, plate.s_end)
+            long = plate.s_end - plate.s_start
+            item.setToolTip(f"{plate.mark}: {long:.0f} mm, t = {plate.thickness:g}")
+            self.scene.addItem(item)
+            text = self.scene.addSimpleText(plate.mark.rsplit("-", 1)[-1])
+            text.setBrush(QtGui.QColor("#3a2a00"))
+            text.setAcceptedMouseButtons(QtCore.Qt.NoButton)
+            at = row.line(0.5 * (plate.s_start + plate.s_end)).center()
+            size = text.boundingRect()
+            text.setPos(at.x() - 0.5 * size.width(), at.y() - 0.5 * size.height())
+            text.setZValue(1.0)
+        kept_clear = self.made.given.keep_outs(self.length)
+        for places, colour in (
+            (self.made.geometry.member.law.folds, "#2f6fb0"),
+            ([s for own in kept_clear.values() for s in own], "#7b4aa0"),
+        ):
+            pen = QtGui.QPen(QtGui.QColor(colour), 1.5, QtCore.Qt.DashLine)
+            for s in places:
+                self.scene.addLine(row.line(s), pen).setZValue(1.0)
+        for k, s in enumerate(self.joints[face]):
+            self.scene.addItem(JointItem(self, face, k, s, row))
 
     def _joints_of(self, face: str, plates) -> list[float]:
         """The joints of a face in mm: those given, or those solved."""
         given = list(getattr(self.plates, f"Joints{face.capitalize()}"))
         if face in self.plates.AutoJoints:
-            ends = sorted({round(plate.start, 1) for plate in plates})
-            return ends[1:]
+            return sorted({round(plate.s_start, 1) for plate in plates})[1:]
         if given and max(given) <= 1.0:
             given = [value * self.length for value in given]
         return [round(s, 1) for s in given if s < self.length - CLEAR]
 
-    def _strip(self, face: str, plates, top: float, folds) -> None:
-        ink = self.form.palette().color(QtGui.QPalette.Text)
-        name = self.scene.addSimpleText(translate("BendTorsion", face))
-        name.setBrush(ink)
-        name.setPos(-LEFT, top + 8)
-        outline = QtGui.QPen(QtGui.QColor("#7a5c14"), 1.0)
-        for k, plate in enumerate(plates):
-            left, right = self.x_of(plate.start), self.x_of(plate.end)
-            item = StripItem(self, face, QtCore.QRectF(left, top, right - left, HEIGHT))
-            item.setPen(outline)
-            item.setBrush(QtGui.QColor(PLATES[k % 2]))
-            long, thick = plate.end - plate.start, plate.thickness
-            item.setToolTip(f"{plate.mark}: {long:.0f} mm, t = {thick:g}")
-            self.scene.addItem(item)
-            text = self.scene.addSimpleText(plate.mark.rsplit("-", 1)[-1])
-            text.setBrush(QtGui.QColor("#3a2a00"))
-            text.setAcceptedMouseButtons(QtCore.Qt.NoButton)
-            text.setPos(0.5 * (left + right) - 8, top + 8)
-        dashes = QtGui.QPen(QtGui.QColor("#2f6fb0"), 1.0, QtCore.Qt.DashLine)
-        for s in folds:
-            self.scene.addLine(self.x_of(s), top - 4, self.x_of(s), top + HEIGHT + 4, dashes)
+    def _focus_on(self, face: str, k: int) -> None:
+        for item in self.scene.items():
+            if isinstance(item, JointItem) and (item.face, item.k) == (face, k):
+                self.scene.setFocusItem(item)
+                item.show_at(self.joints[face][k])
+                self.chosen(face, k)
 
-    def _mark(self, finding: dict) -> None:
-        """A mark on the strips of the faces a finding names, where it is."""
-        place = re.search(r"s = (-?[\d.]+)", finding["position"])
-        if place is None:
-            return
-        colour = QtGui.QColor(COLOURS[finding["severity"]])
-        words = re.findall(r"\w+", f"{finding['position']} {finding['message']}")
-        for row, face in enumerate(faces_of(self.plates)):
-            if face in words:
-                x, y = self.x_of(float(place[1])), row * (HEIGHT + GAP) - 10
-                item = self.scene.addPolygon(
-                    QtGui.QPolygonF(
-                        [
-                            QtCore.QPointF(x - 6, y),
-                            QtCore.QPointF(x + 6, y),
-                            QtCore.QPointF(x, y + 9),
-                        ]
-                    ),
-                    QtGui.QPen(colour),
-                    colour,
-                )
-                item.setToolTip(f"{finding['message']}. {finding['mend']}")
-
-    def x_of(self, s: float) -> float:
-        """Where a place on the axis is drawn."""
-        return s / self.length * WIDTH
-
-    def s_of(self, x: float) -> float:
-        """The place on the axis drawn at x."""
-        return x / WIDTH * self.length
+    def _summary(self) -> None:
+        """How many joints keep the rules, while none is chosen."""
+        self.which.setText("")
+        self.place.setEnabled(False)
+        every = [(face, k) for face in self.rows for k in range(len(self.joints[face]))]
+        broken = sum(not self.keeps_rules(*item) for item in every)
+        text = translate("BendTorsion", "{count} joints, {broken} of them against the rules")
+        colour = BROKEN if broken else KEPT
+        text = text.format(count=len(every), broken=broken)
+        self.verdict.setText(f'<span style="color:{colour}">&#9679;</span> {text}')
 
 
-class StripItem(QtWidgets.QGraphicsRectItem):
-    """One plate of a strip; a double-click adds a joint."""
+class _View(QtWidgets.QGraphicsView):
+    """Shows the whole drawing; keys without a joint chosen choose the first."""
 
-    def __init__(self, panel: SplitPanel, face: str, rectangle):
-        super().__init__(rectangle)
-        self.panel, self.face = panel, face
+    def __init__(self, panel: SplitPanel):
+        super().__init__(panel.scene)
+        self.panel = panel
+        self.setRenderHint(QtGui.QPainter.Antialiasing)
+        self.setMinimumSize(560, 270)
 
-    def mouseDoubleClickEvent(self, event):
-        """Add a joint here."""
-        self.panel.add_joint(self.face, self.panel.s_of(event.scenePos().x()))
-
-
-class JointItem(QtWidgets.QGraphicsRectItem):
-    """A joint that can be dragged along its strip."""
-
-    def __init__(self, panel: SplitPanel, face: str, k: int, s: float, top: float):
-        super().__init__(-3.0, top - 5.0, 6.0, HEIGHT + 10.0)
-        self.panel, self.face, self.k = panel, face, k
-        self.setPos(panel.x_of(s), 0.0)
-        self.setBrush(QtGui.QColor("#c2410c"))
-        self.setPen(QtGui.QPen(QtCore.Qt.NoPen))
-        self.setCursor(QtCore.Qt.SizeHorCursor)
-        self.setFlags(
-            QtWidgets.QGraphicsItem.ItemIsFocusable | QtWidgets.QGraphicsItem.ItemIsSelectable
-        )
-        self.setZValue(2.0)
-
-    def mousePressEvent(self, event):
-        """Take it."""
-        self.setFocus()
-
-    def mouseMoveEvent(self, event):
-        """Drag it."""
-        s = self.panel.move_joint(self.face, self.k, self.panel.s_of(event.scenePos().x()))
-        self.setPos(self.panel.x_of(s), 0.0)
+    def show_all(self) -> None:
+        """Fit the drawing into the view."""
+        self.fitInView(self.scene().sceneRect(), QtCore.Qt.KeepAspectRatio)
 
     def keyPressEvent(self, event):
-        """Move it by keys, or remove it."""
-        step = STEP * (10.0 if event.modifiers() & QtCore.Qt.ShiftModifier else 1.0)
-        moves = {QtCore.Qt.Key_Left: -step, QtCore.Qt.Key_Right: step}
-        if event.key() in moves:
-            at = self.panel.joints[self.face][self.k] + moves[event.key()]
-            s = self.panel.move_joint(self.face, self.k, at)
-            self.setPos(self.panel.x_of(s), 0.0)
-        elif event.key() == QtCore.Qt.Key_Delete:
-            self.panel.remove_joint(self.face, self.k)
+        """To the joint that has the focus; the first one gets it."""
+        if self.scene().focusItem() is None:
+            self.panel.choose_next(1)
+        else:
+            super().keyPressEvent(event)
+
+    def resizeEvent(self, event):
+        """Fit it again."""
+        super().resizeEvent(event)
+        self.show_all()
+
+
+def _margin_line(margin: Margin) -> str:
+    """A rule as a line, red or green, with its figure and its limit."""
+    colour = KEPT if margin.kept else BROKEN
+    words = translate("BendTorsion", RULE_WORDS[margin.rule])
+    about = f" ({translate('BendTorsion', margin.about)})" if margin.about else ""
+    limit = (
+        translate("BendTorsion", "at most {limit:.0f}")
+        if margin.rule == "longest_piece"
+        else translate("BendTorsion", "at least {limit:.0f}")
+    ).format(limit=margin.limit)
+    dot = f'<span style="color:{colour}">&#9679;</span>'
+    return f'{dot} {words}{about}: <b style="color:{colour}">{margin.figure:.0f} mm</b>, {limit}'

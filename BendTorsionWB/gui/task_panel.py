@@ -10,6 +10,7 @@ import FreeCADGui
 
 from BendTorsionWB.gui import resources
 from BendTorsionWB.gui.preview import Preview
+from BendTorsionWB.gui.property_form import FLAWED
 from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
 
 translate = FreeCAD.Qt.translate
@@ -35,42 +36,85 @@ class TaskPanel:
         self.findings.setWordWrap(True)
         self.findings.setObjectName("findings")
         self.forms = []
+        self.refused: dict[QtWidgets.QWidget, str] = {}
         self.timer = QtCore.QTimer(self.form)
         self.timer.setSingleShot(True)
         self.timer.timeout.connect(self.update)
+        self.errors_before: set[str] = set()
         self.closed = False
 
     def show(self) -> None:
         """Open it at the side of the window."""
         self.body.addWidget(self.findings)
         self.body.addStretch()
+        # What is new has no errors to be excused.
+        self.errors_before = set() if self.preview.create else self._own_errors()
         self.show_findings()
         self.observer = _Closing(self)
         FreeCAD.addDocumentObserver(self.observer)
         FreeCADGui.Control.showDialog(self)
         self._make_room()
+        self.judge()
         first = next((f for form in self.forms for f in form.fields.values()), None)
         if first is not None:
             first.setFocus()
 
     def _make_room(self) -> None:
         """Widen the side of the window when the fields do not fit."""
-        dock = self.form.parent()
-        while dock is not None and not isinstance(dock, QtWidgets.QDockWidget):
-            dock = dock.parent()
+        dock = self._dock()
         wanted = self.form.sizeHint().width() + MARGIN
         if dock is not None and dock.width() < wanted:
             FreeCADGui.getMainWindow().resizeDocks([dock], [wanted], QtCore.Qt.Horizontal)
 
+    def _dock(self):
+        """The dock the panel stands in, or None."""
+        dock = self.form.parent()
+        while dock is not None and not isinstance(dock, QtWidgets.QDockWidget):
+            dock = dock.parent()
+        return dock
+
+    def watch(self, form) -> None:
+        """Count a form among those that allow OK."""
+        self.forms.append(form)
+        form.judged = self.show_findings
+
     def add_form(self, form, title: str = "") -> None:
         """Add a form, in a box of its own when it has a title."""
-        self.forms.append(form)
+        self.watch(form)
         if not title:
             self.body.addWidget(form)
             return
         box = QtWidgets.QGroupBox(title)
         QtWidgets.QVBoxLayout(box).addWidget(form)
         self.body.addWidget(box)
+
+    def refuse(self, field, reason: str, sign: str = "") -> None:
+        """Mark a field that stands in no form with what is wrong with it, or take the mark off."""
+        self.refused.pop(field, None)
+        if reason:
+            self.refused[field] = reason
+        field.setStyleSheet(FLAWED if reason else "")
+        field.setToolTip(reason or sign)
+        self.show_findings()
+
+    def faults(self) -> list[str]:
+        """What keeps the panel from OK: fields that hold what cannot be, and errors of what is
+        edited that were not there before."""
+        own = [reason for form in self.forms for reason in form.told()]
+        return [*own, *self.refused.values(), *sorted(self._own_errors() - self.errors_before)]
+
+    def _own_errors(self) -> set[str]:
+        texts = [text for obj in self.preview.objects for text in getattr(obj, "Findings", ())]
+        records = map(json.loads, texts)
+        return {record["message"] for record in records if record["severity"] == "error"}
+
+    def judge(self) -> None:
+        """Allow OK when nothing speaks against it."""
+        dock = self._dock()
+        for box in dock.findChildren(QtWidgets.QDialogButtonBox) if dock is not None else ():
+            button = box.button(QtWidgets.QDialogButtonBox.Ok)
+            if button is not None:
+                button.setEnabled(not self.faults())
 
     def changed(self) -> None:
         """Recompute soon; edits that follow at once share one recompute."""
@@ -91,7 +135,8 @@ class TaskPanel:
                 for text in getattr(item, "Findings", ()):
                     found[text] = json.loads(text)
         records = sorted(found.values(), key=lambda record: list(COLOURS).index(record["severity"]))
-        lines = [_line(record) for record in records[:MOST_SHOWN]]
+        own = [reason for form in self.forms for reason in form.told()] + [*self.refused.values()]
+        lines = [*map(_fault_line, own), *(_line(record) for record in records[:MOST_SHOWN])]
         if len(records) > MOST_SHOWN:
             more = translate("BendTorsion", "and {count} more").format(
                 count=len(records) - MOST_SHOWN
@@ -99,6 +144,7 @@ class TaskPanel:
             lines.append(more)
         self.findings.setText("<br>".join(lines))
         self._flag(records)
+        self.judge()
 
     def property_of(self, record: dict) -> str:
         """The property a finding is about, when it names one."""
@@ -125,7 +171,12 @@ class TaskPanel:
         return int(QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel)
 
     def accept(self) -> bool:
-        """Keep the edits, as one undo step."""
+        """Keep the edits, as one undo step; not while something speaks against it."""
+        if self.timer.isActive():
+            self.update()
+        if self.faults():
+            self.show_findings()
+            return False
         self._end(self.preview.accept)
         return True
 
@@ -165,6 +216,10 @@ class _Closing:
             panel.stop()
             FreeCADGui.Control.closeDialog()
             QtCore.QTimer.singleShot(0, lambda: FreeCAD.removeDocumentObserver(self))
+
+
+def _fault_line(reason: str) -> str:
+    return f'<span style="color:{COLOURS["error"]}">&#9679;</span> {reason}'
 
 
 def _line(record: dict) -> str:

@@ -33,7 +33,7 @@ def children(obj) -> list:
             for user in obj.InList
             if getattr(user, "BT_Type", "") in CLAIMED[kind] and user.Name not in TRIED
         ]
-    if kind == "SheetSet":
+    if kind in ("SheetSet", "ArrangementSet"):
         found += _pages(obj)
     return found
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui
 
-from BendTorsionWB.gui import editors, icons, legend, member_display, tree
+from BendTorsionWB.gui import editors, icons, legend, member_display, page_drawing, tree
 from BendTorsionWB.gui.qt import QtCore, QtGui
 
 translate = FreeCAD.Qt.translate
@@ -60,6 +60,8 @@ PROPERTIES = {
 }
 """Properties of the view by kind of object: type, name, group, tooltip."""
 HIDDEN_BY_ERROR = "HiddenByError"
+_hiding: list = []
+"""Objects hidden for being empty at the moment; who hides one otherwise wants it to stay hidden."""
 
 
 class ViewProvider:
@@ -107,6 +109,9 @@ class ViewProvider:
         if obj is None:
             return
         if name == "Visibility":
+            if not (view.Visibility or obj in _hiding or obj.Document.Restoring):
+                if getattr(view, HIDDEN_BY_ERROR, False):
+                    setattr(view, HIDDEN_BY_ERROR, False)
             hide_when_empty(obj)
         if name in ("Visibility", "ShowMarks", "ShowPoints", "ShowFrames", "FrameHeight"):
             self._draw(view)
@@ -187,7 +192,8 @@ class ViewProvider:
 
         if not hasattr(self, "beside"):
             self.beside = beside_shape.holder(view)
-        beside_shape.fill(self.beside, self.object, wanted, _frame_height(view))
+        height = _frame_height(view)
+        self.labels = beside_shape.fill(self.beside, self.object, wanted, height)
 
 
 def _frame_height(view) -> float:
@@ -201,9 +207,13 @@ def attach(obj) -> None:
     Files saved without a window come back without view providers and with everything hidden.
     """
     view = obj.ViewObject
+    if obj.BT_Type == "PageOutlines" and obj.Document.Restoring:
+        page_drawing.wait(obj)
     if isinstance(view.Proxy, ViewProvider):
         return
     ViewProvider(view)
+    if obj.BT_Type == "PageOutlines":
+        page_drawing.plain(obj)
     if obj.BT_Type in APPEARANCE:
         colour, transparency = APPEARANCE[obj.BT_Type]
         view.ShapeColor = colour
@@ -223,8 +233,10 @@ def hide_when_empty(obj) -> None:
         return
     empty = not shape.SubShapes
     if empty == view.Visibility and (empty or getattr(view, HIDDEN_BY_ERROR)):
-        setattr(view, HIDDEN_BY_ERROR, empty)
+        _hiding.append(obj)
         view.Visibility = not empty
+        _hiding.remove(obj)
+        setattr(view, HIDDEN_BY_ERROR, empty)
         # While FreeCAD tells of a change this spares the shape only; the picture follows later.
         QtCore.QTimer.singleShot(0, lambda at=(obj.Document.Name, obj.Name): _follow(*at))
 
@@ -234,8 +246,10 @@ def _follow(document: str, name: str) -> None:
     found = FreeCAD.listDocuments().get(document)
     obj = found.getObject(name) if found is not None else None
     if obj is not None:
+        _hiding.append(obj)
         obj.Visibility = obj.ViewObject.Visibility
         obj.ViewObject.show() if obj.Visibility else obj.ViewObject.hide()
+        _hiding.remove(obj)
 
 
 def _fold(document: str, name: str) -> None:

@@ -133,7 +133,7 @@ class AssemblyBed(Proxy):
     def build(self, obj):
         made = value(obj)
         beds = made.beds
-        obj.Shape = Part.makeCompound([_posts(bed) for bed in beds])
+        obj.Shape = Part.Compound([_posts(bed) for bed in beds])
         obj.DownFaces = [bed.face for bed in beds]
         obj.Frames = [float(number) for bed in beds for number in bed.to_bed.ravel()]
         obj.Saddles = [
@@ -159,7 +159,7 @@ def _posts(bed: Bed) -> Part.Compound:
     corners = [np.array([x, y, 0.0]) for x, y in floor]
     edges += list(zip(corners, [*corners[1:], corners[0]], strict=True))
     placed = moved(bed.to_model, np.concatenate(edges)).reshape(-1, 2, 3)
-    return Part.makeCompound(
+    return Part.Compound(
         [Part.makeLine(*(FreeCAD.Vector(*point) for point in ends)) for ends in placed]
     )
 

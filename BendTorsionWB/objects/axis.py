@@ -138,7 +138,7 @@ def _made_from(obj) -> dict:
     if not picked:
         return {"points": np.array([tuple(point) for point in obj.Points], float).reshape(-1, 3)}
     shapes = [surface_object.picked_shape(obj, source, "curve") for source in picked]
-    shape = shapes[0] if len(shapes) == 1 else Part.makeCompound(shapes)
+    shape = shapes[0] if len(shapes) == 1 else Part.Compound(shapes)
     return axis_source.source_fields(shape, obj.SourceUse, obj.Label)
 
 
@@ -193,9 +193,9 @@ def _same_count(obj, table: str, places, rows) -> None:
 def _shape(obj, axis: core_axis.Axis, framed: frames.Frames) -> Part.Shape:
     wire = curve_shape.edge(axis.curve)
     if obj.Show == "control points":
-        return Part.makeCompound([wire, *frame_shape.points(axis.control)])
+        return Part.Compound([wire, *frame_shape.points(axis.control)])
     if obj.Show == "curvature comb":
-        return Part.makeCompound([wire, *frame_shape.comb(axis, obj.ShowScale)])
+        return Part.Compound([wire, *frame_shape.comb(axis, obj.ShowScale)])
     if obj.Show == "frame ribbon":
-        return Part.makeCompound([wire, *frame_shape.ribbon(framed, obj.ShowScale)])
+        return Part.Compound([wire, *frame_shape.ribbon(framed, obj.ShowScale)])
     return wire

@@ -22,9 +22,12 @@ LINKED = {
     "Member": "Member",
     "Through": "Member",
     "Other": "Member",
+    "Beside": "Member",
+    "EndsOn": "Member",
     "Plates": "PlateSet",
     "Unfold": "Unfold",
     "Bed": "AssemblyBed",
+    "Sheets": "SheetSet",
 }
 """By property, without its number: the kind of object it links to."""
 OPTIONAL = ("Surface", "CutAxis", "Bed")
@@ -179,6 +182,8 @@ def _fitting(document, declared: Property, value: object) -> object:
         return value
     if kind == "App::PropertyLink":
         return _linked(document, declared.name, value)
+    if kind == "App::PropertyLinkList":
+        return [_linked(document, declared.name, item) for item in value]
     if kind == "App::PropertyLinkSub":
         return sub_elements(document, value)
     if kind == "App::PropertyLinkSubList":

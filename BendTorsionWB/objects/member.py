@@ -115,6 +115,7 @@ class Member(Proxy):
 
     def onChanged(self, obj, name):
         """Give each further segment its properties."""
+        super().onChanged(obj, name)
         if name == "Segments" and "SchemaVersion" in obj.PropertiesList:
             for declared in segment_properties(obj.Segments):
                 add_property(obj, declared)

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from dataclasses import replace
 
 from BendTorsionWB.core import detailing, rules
-from BendTorsionWB.core.finding import BendTorsionError, error, has_error
+from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.core.nodes.node_blend import with_blends
 from BendTorsionWB.core.nodes.node_input import DIAPHRAGMS, TYPES, NodeInput
 from BendTorsionWB.core.nodes.nodes import Node as CoreNode
@@ -32,6 +33,20 @@ class Node(Proxy):
             "link: Through runs through; rank: of the two members the one of lower Rank does",
             "link",
             THROUGH_BY,
+        ),
+        Property(
+            "App::PropertyLinkList",
+            "Beside",
+            "Node",
+            "Members that end at this node as well: of two that overlap, the one of lower Rank is "
+            "ended on by the other",
+        ),
+        Property(
+            "App::PropertyLinkList",
+            "EndsOn",
+            "Node",
+            "Members that end at this node as well, which Other ends on where they overlap, "
+            "whatever the ranks",
         ),
         Property(
             "App::PropertyString",
@@ -172,18 +187,51 @@ def value(obj, known: dict[str, detailing.MemberGeometry] | None = None) -> Core
         obj.Diaphragms,
         obj.Blend,
     )
-    for member in (through, other):
+    beside = _linked_members(obj, "Beside")
+    first = _linked_members(obj, "EndsOn")
+    members = list({m.Name: m for m in (through, other, *beside, *first)}.values())
+    for member in members:
         if member.Name not in known:
             known[member.Name] = member_object.value(member)
+    more = [NodeInput(through.Label, m.Label) for m in (*beside, *first)]
+    more += [NodeInput(m.Label, other.Label) for m in first]
+    # Where the two meet a second time, that is another object's node.
+    ranks = {m.Label: m.Rank or None for m in members} | {through.Label: 0}
     found = detailing.meeting_of(
-        known[through.Name],
-        known[other.Name],
-        given,
+        tuple(known[member.Name] for member in members),
+        ranks,
+        (given, *dict.fromkeys(more)),
         rules.node_rules(obj.RulePack),
     )
-    if has_error(found.findings) or not found.nodes:
+    own = [
+        (abs(branch.s_through - given.s), node, branch)
+        for node in found.nodes
+        for branch in node.branches
+        if branch.member == other.Label and node.through == through.Label
+    ]
+    errors = [f for f in found.findings if f.severity == "error"]
+    if not own or any(f.object in (through.Label, other.Label) for f in errors):
         raise BendTorsionError(dict.fromkeys(found.findings))
-    return found.nodes[0]
+    _, node, branch = min(own, key=lambda item: item[0])
+    return replace(node, name=obj.Node or node.name, branches=(branch.at_node(obj.Node),))
+
+
+def _linked_members(obj, name: str) -> list:
+    """The Member objects of a list of links; raises BendTorsionError for others and for those of
+    the node itself."""
+    found = getattr(obj, name)
+    for item in found:
+        if getattr(item, "BT_Type", "") != "Member" or item in (obj.Through, obj.Other):
+            raise BendTorsionError(
+                error(
+                    "link-kind",
+                    obj.Label,
+                    f"{name} links to what is no other member of the node",
+                    "link to members that end at the node, besides Other",
+                    value=item.Label,
+                )
+            )
+    return found
 
 
 def nodes_of(objects: Iterable) -> tuple[CoreNode, ...]:

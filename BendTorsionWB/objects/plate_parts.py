@@ -157,11 +157,18 @@ def lists_of_rows(label: str, table: str, rows: Sequence[Mapping[str, object]]) 
                 for k, value in enumerate(values, start=1)
             ]
         else:
-            values = ["" if value is None else str(value) for value in values]
+            values = [_cell_text(value) for value in values]
         lists.append(Given(name, table.lower(), values))
     columns = dict(zip(PART_COLUMNS[table], (item.value for item in lists), strict=True))
     _read_rows(label, table, columns, len(rows))
     return lists
+
+
+def _cell_text(value: object) -> str:
+    """A cell as text; a whole number alike, whether it comes as 1500 or as 1500.0."""
+    if isinstance(value, float) and value.is_integer():
+        value = int(value)
+    return "" if value is None else str(value)
 
 
 def _number(value: object) -> float:

@@ -17,13 +17,20 @@ import FreeCAD
 import Part
 
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
+from BendTorsionWB.objects import schema
+from BendTorsionWB.objects.uncomputed import after_recompute
 
-SCHEMA_VERSION = 1
 READ_ONLY = 1
 HIDDEN = 4
 FROM_RESTORE_NO_RECOMPUTE = 8
 OUTPUT = 8
 LARGEST_NUMBER = 1e12
+_UNITS = {
+    "App::PropertyLength": FreeCAD.Units.Length,
+    "App::PropertyDistance": FreeCAD.Units.Length,
+    "App::PropertyAngle": FreeCAD.Units.Angle,
+    "App::PropertyPressure": FreeCAD.Units.Pressure,
+}
 
 
 @dataclass(frozen=True)
@@ -68,6 +75,7 @@ class Proxy(ABC):
 
     def set_up(self, obj) -> None:
         """Add what is missing; safe to run on new and on restored objects."""
+        after_recompute.register()
         present = set(obj.PropertiesList)
         if "BT_Type" not in present:
             obj.addProperty(
@@ -85,9 +93,11 @@ class Proxy(ABC):
                 "Version of the saved properties",
                 READ_ONLY | HIDDEN,
             )
-            obj.SchemaVersion = SCHEMA_VERSION
+            obj.SchemaVersion = schema.SCHEMA_VERSION
+        changes = schema.changes_of(obj)
         for declared in (*self.declared(obj), *BASE_PROPERTIES):
             add_property(obj, declared)
+        schema.apply(obj, changes)
 
     def declared(self, obj) -> Iterable[Property]:
         """The properties the object has now; more than PROPERTIES where their number varies."""
@@ -96,6 +106,7 @@ class Proxy(ABC):
     def execute(self, obj) -> None:
         """Recompute; never raises."""
         try:
+            schema.check(obj)
             check_numbers(obj, self.declared(obj))
             findings = tuple(self.build(obj))
         except BendTorsionError as problem:
@@ -126,6 +137,22 @@ class Proxy(ABC):
         """Complete the properties of a file saved by an earlier version; bring the view back."""
         self.set_up(obj)
         attach_view(obj)
+
+    def onBeforeChange(self, obj, name):
+        """Know the label there was; it is of no use later, and not saved."""
+        if name == "Label":
+            self._former_label = obj.Label
+
+    def onChanged(self, obj, name):
+        """Compute again what tells an object's label, in marks, sheets and findings, and bring
+        labels that begin with it along; by itself FreeCAD does neither."""
+        former = self.__dict__.pop("_former_label", "") if name == "Label" else ""
+        if not former or former == obj.Label or obj.Document.Restoring:
+            return
+        obj.touch()
+        for user in obj.InListRecursive:
+            if hasattr(user, "BT_Type") and user.Label.startswith(f"{former} "):
+                user.Label = obj.Label + user.Label[len(former) :]
 
     def dumps(self):
         return None
@@ -167,6 +194,18 @@ def check_numbers(obj, declared: Iterable[Property]) -> None:
     for item in declared:
         value = None if item.output else getattr(obj, item.name, None)
         number = getattr(value, "Value", value)
+        wanted = _UNITS.get(item.type)
+        if wanted is not None and value is not None and value.Unit != wanted:
+            # An expression may bring a quantity of any kind, and FreeCAD takes it.
+            raise BendTorsionError(
+                error(
+                    "not-a-number",
+                    obj.Label,
+                    f"{item.name} is of another kind: {value.UserString}",
+                    "give it in its own unit",
+                    position=f"property {item.name}",
+                )
+            )
         if isinstance(number, float) and not abs(number) <= LARGEST_NUMBER:
             raise BendTorsionError(
                 error(
@@ -195,7 +234,7 @@ def clear_outputs(obj, declared: Iterable[Property]) -> None:
             else:
                 setattr(obj, item.name, 0.0)
     if hasattr(obj, "Shape"):
-        obj.Shape = Part.makeCompound([])
+        obj.Shape = Part.Compound([])
 
 
 def write_findings(obj, findings: Iterable[Finding]) -> None:
@@ -211,9 +250,15 @@ def findings_of(obj) -> tuple[Finding, ...]:
     return tuple(Finding(**json.loads(text)) for text in obj.Findings)
 
 
+def type_of(obj) -> str:
+    """The kind of an object of ours, empty for others; links pass on the properties of what they
+    show, and are no objects of ours."""
+    return "" if obj.TypeId.startswith("App::Link") else getattr(obj, "BT_Type", "")
+
+
 def linked(obj, name: str, kind: str):
-    """The object a link property points to; raises BendTorsionError when it is gone or of
-    another kind (a deleted target silently becomes None)."""
+    """The object a link property points to; raises BendTorsionError when it is gone, of another
+    kind (a deleted target silently becomes None), or is in error itself."""
     target = getattr(obj, name, None)
     if target is None:
         raise BendTorsionError(
@@ -236,7 +281,16 @@ def linked(obj, name: str, kind: str):
                 value=target.Label,
             )
         )
+    # A target just computed and in error passes that on, whether this would need what is wrong.
+    if target.Status.startswith("error") and not _is_waiting(target):
+        raise BendTorsionError(f for f in findings_of(target) if f.severity == "error")
+    check_numbers(target, target.Proxy.declared(target))
     return target
+
+
+def _is_waiting(obj) -> bool:
+    """Whether an object was changed since it was computed, and FreeCAD may yet compute it."""
+    return "Touched" in obj.State and obj.isValid()
 
 
 def attach_view(obj) -> None:

@@ -17,10 +17,12 @@ NAMES = tuple(item.name.removesuffix("1") for item in segment_properties(1))
 """Properties of a segment without its number."""
 
 
-def add_cut(member, place: float | Sequence[float], section=None) -> int:
+def add_cut(
+    member, place: float | Sequence[float], section=None, slope: float | None = None
+) -> int:
     """Divide a segment of a Member at a place (mm on the axis), or at the place nearest to a
-    point (x, y, z); the number of the new segment, which has the section given or that of the one
-    divided. Raises BendTorsionError for a place that is no use."""
+    point (x, y, z); the number of the new segment, which has the section and the slope given or
+    those of the one divided. Raises BendTorsionError for a place that is no use."""
     axis = axis_object.value(linked(member, "Axis", "Axis"))
     if isinstance(place, int | float):
         s = float(place)
@@ -50,6 +52,8 @@ def add_cut(member, place: float | Sequence[float], section=None) -> int:
     setattr(member, f"Cut{new}", s)
     if section is not None:
         setattr(member, f"Section{new}", section)
+    if slope is not None:
+        setattr(member, f"Slope{new}", slope)
     return new
 
 

@@ -9,14 +9,10 @@ objects removed during a recompute, removes them again after an undo, and crashe
 
 from __future__ import annotations
 
-import math
-from functools import lru_cache
-
 import FreeCAD
 import Part
 
-from BendTorsionWB.core.detailing import with_beds
-from BendTorsionWB.core.drawings.sheet import Sheet
+from BendTorsionWB.core.drawings.sheet import LINE_STYLES, Sheet
 from BendTorsionWB.core.drawings.sheet_layout import member_sheets
 from BendTorsionWB.core.drawings.sheet_style import (
     FORMATS,
@@ -24,16 +20,22 @@ from BendTorsionWB.core.drawings.sheet_style import (
     LENGTH_UNITS,
     PLAIN_STYLE,
     STANDARDS,
-    SheetStyle,
 )
-from BendTorsionWB.core.finding import BendTorsionError, error, has_error
-from BendTorsionWB.core.lofting import MemberRecord
-from BendTorsionWB.core.site import UNITS, SiteDatum
-from BendTorsionWB.objects.assembly_bed import value as beds_of_object
-from BendTorsionWB.objects.proxy import Property, Proxy, findings_of, linked
+from BendTorsionWB.core.finding import error
+from BendTorsionWB.core.site import UNITS
+from BendTorsionWB.objects.proxy import Property, Proxy
+from BendTorsionWB.objects.sheet_content import (
+    faulty,
+    forget_records,
+    keep_record,
+    laid_out,
+    record_of,
+    style_of,
+)
 from BendTorsionWB.sheets.techdraw import (
     configure_outline_view,
     configure_symbol,
+    resized_symbol,
     sheet_scale,
     symbol_svg,
     template_path,
@@ -42,67 +44,9 @@ from BendTorsionWB.sheets.techdraw import (
 
 
 def sheets_of(sheet_set) -> tuple[Sheet, ...]:
-    """The sheets of a SheetSet object; one that names the fault when there is nothing to draw."""
-    return _laid_out(_record_of(sheet_set), style_of(sheet_set), sheet_set.PlatePages)
-
-
-def style_of(sheet_set) -> SheetStyle:
-    """How a SheetSet's sheets are drawn."""
-    return SheetStyle(
-        sheet_set.Project,
-        sheet_set.Author,
-        sheet_set.SheetFormat,
-        sheet_set.SheetStandard,
-        sheet_set.SheetLanguage,
-        sheet_set.SheetUnit,
-        SiteDatum(
-            sheet_set.SiteX.Value,
-            sheet_set.SiteY.Value,
-            sheet_set.SiteZ.Value,
-            math.radians(sheet_set.SiteRotation.Value),
-            sheet_set.SiteUnit,
-        ),
-    )
-
-
-def set_style(sheet_set, style: SheetStyle) -> None:
-    """Have a SheetSet's sheets drawn so."""
-    sheet_set.Project, sheet_set.Author = style.project, style.author
-    sheet_set.SheetFormat, sheet_set.SheetStandard = style.format, style.standard
-    sheet_set.SheetLanguage, sheet_set.SheetUnit = style.language, style.unit
-    site = style.site
-    sheet_set.SiteX, sheet_set.SiteY, sheet_set.SiteZ = site.x, site.y, site.z
-    sheet_set.SiteRotation, sheet_set.SiteUnit = math.degrees(site.rotation), site.unit
-
-
-@lru_cache(maxsize=64)
-def _laid_out(record: MemberRecord, style: SheetStyle, plates: bool) -> tuple[Sheet, ...]:
-    # Every page of a set asks for the same sheets in one recompute; records are kept by the memo.
-    return member_sheets(record, style, plates)
-
-
-def _record_of(sheet_set) -> MemberRecord:
-    from BendTorsionWB.objects.unfold import member_record_of
-
-    try:
-        unfold = linked(sheet_set, "Unfold", "Unfold")
-        found = findings_of(unfold)
-        if has_error(found):
-            return _faulty(sheet_set.Label, found)
-        record = member_record_of(unfold)
-        if sheet_set.Bed is None:
-            return record
-        bed = linked(sheet_set, "Bed", "AssemblyBed")
-        found = findings_of(bed)
-        if has_error(found):
-            return _faulty(sheet_set.Label, found)
-        return with_beds(record, beds_of_object(bed))
-    except BendTorsionError as problem:
-        return _faulty(sheet_set.Label, problem.findings)
-
-
-def _faulty(name: str, findings) -> MemberRecord:
-    return MemberRecord(name, "", "", findings=tuple(findings))
+    """The sheets of a SheetSet or an ArrangementSet; one that names the fault when there is nothing
+    to draw."""
+    return sheet_set.Proxy.sheets(sheet_set)
 
 
 class SheetSet(Proxy):
@@ -173,20 +117,30 @@ class SheetSet(Proxy):
         Property("App::PropertyInteger", "PageCount", "Result", "Number of pages", output=True),
     )
 
+    def sheets(self, obj) -> tuple[Sheet, ...]:
+        """What its pages show."""
+        return laid_out(record_of(obj), style_of(obj), obj.PlatePages)
+
     def build(self, obj):
-        sheets = sheets_of(obj)
-        obj.PageCount = len(sheets)
-        pages = _whole_pages(obj)
-        for index, sheet in enumerate(sheets):
-            if index not in pages:
-                pages[index] = _add_page(obj, index, sheet)
-            _adjust_page(pages[index], f"{obj.Label} {sheet.number}", sheet)
-        if _surplus(obj.Document):
-            _after_recompute.watch(obj.Document)
-        return _record_of(obj).findings
+        keep_pages(obj)
+        return keep_record(obj).findings
 
     def clear(self, obj):
         """Nothing: in error there is the one page that says so."""
+
+
+def keep_pages(sheet_set) -> None:
+    """As many pages as there are sheets, each of the size and scale of its sheet."""
+    _after_recompute.register()
+    sheets = sheets_of(sheet_set)
+    sheet_set.PageCount = len(sheets)
+    pages = _whole_pages(sheet_set)
+    for index, sheet in enumerate(sheets):
+        if index not in pages:
+            pages[index] = _add_page(sheet_set, index, sheet)
+        _adjust_page(pages[index], f"{sheet_set.Label} {sheet.number}", sheet)
+    if _surplus(sheet_set.Document):
+        _after_recompute.watch(sheet_set.Document)
 
 
 class PageOutlines(Proxy):
@@ -211,9 +165,17 @@ class PageOutlines(Proxy):
         """Nothing: a page in error has its frame; a view of an empty shape would be invalid."""
 
     def onDocumentRestored(self, obj):
-        """The wires belong to the page, not into the 3D view."""
+        """The wires belong to the page, not into the 3D view. Pages the window let wait to be
+        opened are drawn at once without one."""
         super().onDocumentRestored(obj)
         obj.Visibility = False
+        for view in obj.InList:
+            if view.isDerivedFrom("TechDraw::DrawViewPart"):
+                _thin_lines(view)
+        if not FreeCAD.GuiUp:
+            for page in _page_objects(obj):
+                if page.isDerivedFrom("TechDraw::DrawPage"):
+                    page.KeepUpdated = True
 
 
 class PageSymbol(Proxy):
@@ -228,8 +190,9 @@ class PageSymbol(Proxy):
         self.set_up(obj)
 
     def onDocumentRestored(self, obj):
-        """Complete the properties of a file saved by an earlier version."""
+        """Complete the properties of a file saved by an earlier version; show it at its size."""
         self.set_up(obj)
+        obj.Symbol = resized_symbol(obj.Symbol)
 
     def build(self, obj):
         # TechDraw recomputes its views when a document is opened; what they show is in the file.
@@ -251,7 +214,7 @@ def _page_sheet(obj) -> Sheet:
     else:
         code, message = "surplus-page", "this page is no longer used"
         mend = "put the objects in error right; it goes at the next recompute"
-    return member_sheets(_faulty(obj.Label, (error(code, obj.Label, message, mend),)))[0]
+    return member_sheets(faulty(obj.Label, (error(code, obj.Label, message, mend),)))[0]
 
 
 def _members(sheet_set, kind: str) -> list:
@@ -318,16 +281,24 @@ def _add_page(sheet_set, index: int, sheet: Sheet):
     page.Template = template
     view = add("TechDraw::DrawViewPart", "View")
     outlines.recompute()
-    page.addView(view)
-    page.addView(symbol)
-    # After addView, which moves views to the middle of the page.
+    # The list itself: addView moves views to the middle of the page, and that of FreeCAD 1.1 takes
+    # no view that Python computes.
+    page.Views = [*page.Views, view, symbol]
     configure_outline_view(view, outlines, sheet)
+    _thin_lines(view)
     configure_symbol(symbol, sheet)
     created = (outlines, template, symbol, view, page)
     for obj in created[1:]:
         obj.recompute()
     _after_recompute.watch(document, created)
     return page
+
+
+def _thin_lines(view) -> None:
+    """Edges as thin as the sheet's: FreeCAD 1.0 and later draw them 0.7 mm wide unless told (0.20
+    as hairlines, whatever it is told). Only the window keeps widths."""
+    if FreeCAD.GuiUp:
+        view.ViewObject.LineWidth = LINE_STYLES["narrow"][0]
 
 
 def _adjust_page(page, label: str, sheet: Sheet) -> None:
@@ -370,11 +341,15 @@ class _AfterRecompute:
         self.created: dict[str, list[str]] = {}
         self.registered = False
 
-    def watch(self, document, created=()):
-        """Tidy this document after the recompute under way."""
+    def register(self):
+        """Be told of recomputes and of documents that are closed, from now on."""
         if not self.registered:
             FreeCAD.addDocumentObserver(self)
             self.registered = True
+
+    def watch(self, document, created=()):
+        """Tidy this document after the recompute under way."""
+        self.register()
         names = self.created.setdefault(document.Name, [])
         names.extend(obj.Name for obj in created)
 
@@ -389,15 +364,21 @@ class _AfterRecompute:
         self.created[document.Name] = []
         # While some object is in error, FreeCAD goes on to read the list it has recomputed.
         if all(obj.isValid() for obj in document.Objects):
+            templates = [o for o in document.Objects if o.isDerivedFrom("TechDraw::DrawTemplate")]
+            settled = [template.Name for template in templates if "Touched" not in template.State]
             for outlines in _surplus(document):
                 for name in [obj.Name for obj in _page_objects(outlines)]:
                     if document.getObject(name) is not None:
                         document.removeObject(name)
+            # FreeCAD 1.1 touches every template when the number of pages changes.
+            for template in filter(None, map(document.getObject, settled)):
+                template.purgeTouched()
             del self.created[document.Name]
 
     def slotDeletedDocument(self, document):
         """Forget a closed document."""
         self.created.pop(document.Name, None)
+        forget_records(document)
 
 
 _after_recompute = _AfterRecompute()

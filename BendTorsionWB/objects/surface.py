@@ -114,7 +114,7 @@ def picked_shape(obj, source, what: str) -> Part.Shape:
     outer = target.getGlobalPlacement().multiply(target.Placement.inverse())
     for shape in shapes:
         shape.Placement = outer.multiply(shape.Placement)
-    return shapes[0] if len(shapes) == 1 else Part.makeCompound(shapes)
+    return shapes[0] if len(shapes) == 1 else Part.Compound(shapes)
 
 
 def _sizes(obj) -> dict[str, float]:

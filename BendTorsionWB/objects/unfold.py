@@ -11,6 +11,7 @@ from BendTorsionWB.core.patterns.flattened_surface import SURFACES
 from BendTorsionWB.core.patterns.flattening_errors import worst_errors
 from BendTorsionWB.core.patterns.gross import SPLICES, Allowances, as_cut
 from BendTorsionWB.core.patterns.laid_flat import MARKING_FACES, PatternInput
+from BendTorsionWB.core.patterns.layer_names import layer_names
 from BendTorsionWB.core.patterns.pattern import MODES
 from BendTorsionWB.core.welds.bevels import CONTOURS
 from BendTorsionWB.objects import colours
@@ -132,6 +133,12 @@ class Unfold(Proxy):
         ),
         Property(
             "App::PropertyStringList",
+            "LayerNames",
+            "Cut files",
+            "Layers of the DXF files by other names: CUT_OUTER=10, MARK_LINE=20, …",
+        ),
+        Property(
+            "App::PropertyStringList",
             "Marks",
             "Result",
             "Position marks, as the faces",
@@ -211,6 +218,7 @@ class Unfold(Proxy):
     )
 
     def build(self, obj):
+        layer_names(obj.LayerNames, obj.Label)
         record = member_record_of(obj)
         obj.Shape = pattern_shape.laid_out(record.plates)
         obj.Marks = [plate.mark for plate in record.plates]

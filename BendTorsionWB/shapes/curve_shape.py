@@ -36,4 +36,4 @@ def polylines(lines: Sequence[np.ndarray]) -> Part.Compound:
         steps = np.linalg.norm(np.diff(line, axis=0), axis=1)
         arc = np.concatenate([[0.0], np.cumsum(steps)])
         edges.append(edge(Curve(1, np.concatenate([[0.0], arc, arc[-1:]]), line)))
-    return Part.makeCompound(edges)
+    return Part.Compound(edges)

@@ -44,7 +44,8 @@ def cut_plate(solid: Part.Shape, plate: Plate, ends: Sequence[int] = (0, 1)) -> 
         a = (rails[0].start, cut.range[0])[k]
         b = (cut.range[1], rails[0].end)[k]
         points = np.concatenate([group(np.linspace(a, b, 9)).reshape(-1, 3) for group in rails])
-        solid = cut_end(solid, cut.surface, points, _outwards(plate.uncut.mid, k), plate.mark)
+        for surface in _cuts(plate, cut):
+            solid = cut_end(solid, surface, points, _outwards(plate.uncut.mid, k), plate.mark)
         _check_edges(solid, plate, cut)
     if not (solid.isValid() and solid.isClosed()):
         raise _refused(plate.mark, "is not closed")
@@ -111,7 +112,7 @@ def _rings(item: PlateGeometry) -> tuple[CutRing | None, CutRing | None]:
 
 
 def _surfaces(plate: Plate, cut: EndCurves) -> Sequence[EndSurface]:
-    """The parts of an end surface a plate ends on: one, or two with an arris between them."""
+    """The parts of an end surface a plate ends on: one, or more with corners between them."""
     parts = getattr(cut.surface, "parts", (cut.surface,))
     if len(parts) == 1:
         return parts
@@ -119,9 +120,17 @@ def _surfaces(plate: Plate, cut: EndCurves) -> Sequence[EndSurface]:
     for level in ("outer", "inner"):
         value = getattr(plate.uncut, level)(cut.at(level, FIBRES))
         points.append(value[:, :3] + FIBRES[:, None] * (value[:, 3:] - value[:, :3]))
-    values = [part.value_and_gradient(np.concatenate(points))[0] for part in parts]
-    foremost = np.unique(np.argmax(values, axis=0))
-    return [parts[k] for k in foremost]
+    return [parts[k] for k in np.unique(cut.surface.part_at(np.concatenate(points)))]
+
+
+def _cuts(plate: Plate, cut: EndCurves) -> Sequence[EndSurface]:
+    """The surfaces a plate is cut by one after the other: those of several members that it ends
+    on at one node."""
+    cuts = getattr(cut.surface, "cuts", (cut.surface,))
+    if len(cuts) == 1:
+        return cuts
+    met = {id(part.faces) for part in _surfaces(plate, cut)}
+    return [one for one in cuts if id(one.faces) in met]
 
 
 def member_solids(geometry: MemberGeometry) -> list[Part.Shape]:

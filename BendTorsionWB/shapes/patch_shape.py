@@ -14,7 +14,7 @@ from ..core.geometry.nurbs import NurbsPatch
 
 def faces_of_patches(patches: Sequence[NurbsPatch]) -> Part.Compound:
     """The whole patches as one compound of faces; their trim is left out."""
-    return Part.makeCompound([_face(patch) for patch in patches])
+    return Part.Compound([_face(patch) for patch in patches])
 
 
 def _face(patch: NurbsPatch) -> Part.Face:

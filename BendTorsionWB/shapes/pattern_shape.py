@@ -33,7 +33,7 @@ def laid_out(plates: Sequence[DevelopedPlate]) -> Part.Compound:
         outer = wire(plate, (0.0, height))
         faces.append(Part.makeFace([outer, *inner], "Part::FaceMakerBullseye"))
         height += plate.width + ROW_GAP
-    return Part.makeCompound(faces)
+    return Part.Compound(faces)
 
 
 def _edge(run: np.ndarray) -> Part.Edge:

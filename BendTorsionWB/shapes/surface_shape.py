@@ -35,7 +35,7 @@ def _ellipsoid(sizes):
     unit.Radius = 1.0
     pole = 0.5 * math.pi
     halves = [unit.toShape(start, start + math.pi, -pole, pole) for start in (0.0, math.pi)]
-    return Part.makeCompound([half.transformGeometry(stretch) for half in halves])
+    return Part.Compound([half.transformGeometry(stretch) for half in halves])
 
 
 def _sphere(sizes):

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import errno
 import locale
 import os
 import re
@@ -20,10 +21,14 @@ from ..core.drawings.sheet import (
     Text,
 )
 from ..core.finding import BendTorsionError, error
+from .qt import qt_modules
 
 RESOLUTION = 1200  # dots per inch; page coordinates are mapped to these dots
 DOTS_PER_MM = RESOLUTION / 25.4
 FAMILIES = (FONT_FAMILY, "Liberation Sans")
+XMP = b"""<?xpacket begin='' id='W5M0MpCehiHzreSzNTczkc9d'?>
+<x:xmpmeta xmlns:x="adobe:ns:meta/"/>
+<?xpacket end='w'?>"""
 
 _application = None
 
@@ -43,6 +48,9 @@ def write_pdf(sheets: Sequence[Sheet], path: str | Path) -> None:
     try:
         _paint(qt_core, qt_gui, sheets, temporary)
         data = Path(temporary).read_bytes()
+        # Qt does not tell when the disk is full.
+        if not data.rstrip().endswith(b"%%EOF"):
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(path))
         Path(temporary).write_bytes(_without_time(data))
         os.chmod(temporary, 0o644)
         os.replace(temporary, path)
@@ -58,20 +66,7 @@ def start_qt():
     the missing application for every page. BendTorsionError as for write_pdf.
     """
     global _application
-    try:
-        from PySide2 import QtCore, QtGui
-    except ImportError:
-        try:
-            from PySide6 import QtCore, QtGui
-        except ImportError:
-            raise BendTorsionError(
-                error(
-                    "qt-missing",
-                    "sheets",
-                    "PDF sheets need Qt for Python, which is not installed",
-                    "on Debian run 'apt-get install python3-pyside2.qtgui', use /usr/bin/python3",
-                )
-            ) from None
+    QtCore, QtGui = qt_modules()
     running = QtCore.QCoreApplication.instance()
     if running is None:
         # A named platform plug-in: no display is needed, and none is looked for. Qt's remarks on
@@ -100,6 +95,10 @@ def _paint(qt_core, qt_gui, sheets: Sequence[Sheet], path: str) -> None:
     writer.setResolution(RESOLUTION)
     writer.setTitle(sheets[0].title)
     writer.setCreator("BendTorsion")
+    if hasattr(writer, "setDocumentId"):
+        # Qt 6 draws an id at random, and tells the time of writing a second time as XMP.
+        writer.setDocumentId(qt_core.QUuid.createUuidV5(qt_core.QUuid(), sheets[0].title.encode()))
+        writer.setDocumentXmpMetadata(XMP)
     painter = qt_gui.QPainter()
     try:
         for sheet in sheets:
@@ -199,13 +198,20 @@ def _draw_text(qt_core, qt_gui, painter, sheet: Sheet, text: Text, families) -> 
 
 
 def _without_time(data: bytes) -> bytes:
-    """The PDF with a constant creation time, its cross-reference table put right.
+    """The PDF with constant times."""
+    for key in (b"CreationDate", b"ModDate"):  # the second one is Qt 6's
+        found = re.search(rb"/%s \(D:[^)]*\)" % key, data)
+        if found:
+            data = _exchanged(data, found, b"/%s (D:20000101000000Z)" % key)
+    return data
+
+
+def _exchanged(data: bytes, found: re.Match, constant: bytes) -> bytes:
+    """A PDF with a constant in the place of what was found, its cross-reference table put right.
 
     Qt writes local time, whose text is longer with a time zone than in UTC.
     """
-    found = re.search(rb"/CreationDate \(D:[^)]*\)", data)
     table = data.rindex(b"\nxref\n")
-    constant = b"/CreationDate (D:20000101000000Z)"
     shift = len(constant) - len(found[0])
 
     def moved(entry: re.Match) -> bytes:

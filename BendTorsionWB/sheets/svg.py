@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import re
 import tempfile
 from collections.abc import Iterable
 from pathlib import Path
@@ -20,6 +21,7 @@ from ..core.drawings.sheet import (
 )
 
 GROUP = 8
+FINE = 100.0
 
 
 def svg_text(sheet: Sheet) -> str:
@@ -56,12 +58,11 @@ def svg_document(
     joined: bool = False,
 ) -> str:
     """Lines and texts (page mm) as an SVG of the sheet's size; `per_mm` size units make a mm.
-    joined: all lines of a style as one path, for readers that take their time with each element."""
+    joined: all lines of a style as one path, for readers that take their time with each element,
+    and letters in units of 0.01 mm, for those that round their size down to whole units (Qt 6)."""
     drawn = _paths(lines, sheet.height) if joined else [_line(line, sheet.height) for line in lines]
-    size = (
-        f'width="{_number(sheet.width * per_mm)}{unit}" '
-        f'height="{_number(sheet.height * per_mm)}{unit}"'
-    )
+    per_unit = FINE if joined else 1.0
+    size = _size(sheet.width, sheet.height, unit, per_mm)
     return "\n".join(
         [
             '<?xml version="1.0" encoding="UTF-8"?>',
@@ -70,12 +71,28 @@ def svg_document(
             f'<g fill="none" stroke="#000000" stroke-linecap="round" stroke-linejoin="round" '
             f'font-family="{", ".join((FONT_FAMILY, *CJK_FAMILIES))}, sans-serif">',
             *_grouped(drawn),
-            *_grouped([_text(text, sheet.height) for text in texts if text.text.strip()]),
+            f'<g transform="scale({_number(1.0 / per_unit)})">' if joined else "<g>",
+            *_grouped([_text(text, sheet.height, per_unit) for text in texts if text.text.strip()]),
+            "</g>",
             "</g>",
             "</svg>",
             "",
         ]
     )
+
+
+def sized_anew(svg: str, unit: str, per_mm: float = 1.0) -> str:
+    """An SVG of svg_document with its size in another unit; any other text as it is."""
+
+    def size(found: re.Match) -> str:
+        return f"{_size(float(found[2]), float(found[3]), unit, per_mm)} {found[1]}"
+
+    box = r'width="[^"]*" height="[^"]*" (viewBox="0 0 ([0-9.]+) ([0-9.]+)")'
+    return re.sub(box, size, svg, count=1)
+
+
+def _size(width: float, height: float, unit: str, per_mm: float) -> str:
+    return f'width="{_number(width * per_mm)}{unit}" height="{_number(height * per_mm)}{unit}"'
 
 
 def _grouped(elements: list[str]) -> list[str]:
@@ -112,11 +129,11 @@ def _line(line: Polyline, page_height: float) -> str:
     return f'<polyline points="{points}" stroke-width="{_number(width)}"{dash}/>'
 
 
-def _text(text: Text, page_height: float) -> str:
-    x, y = _number(text.x), _number(page_height - text.y)
+def _text(text: Text, page_height: float, scale: float) -> str:
+    x, y = _number(scale * text.x), _number(scale * (page_height - text.y))
     turn = f' transform="rotate({_number(-text.angle)} {x} {y})"' if text.angle else ""
     return (
-        f'<text x="{x}" y="{y}" font-size="{_number(text.height / CAP_HEIGHT)}" '
+        f'<text x="{x}" y="{y}" font-size="{_number(scale * text.height / CAP_HEIGHT)}" '
         f'text-anchor="{text.anchor}" fill="#000000" stroke="none"{turn}>{escape(text.text)}</text>'
     )
 

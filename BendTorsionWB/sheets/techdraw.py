@@ -15,10 +15,11 @@ import numpy as np
 from ..core.drawings.sheet import FONT_FAMILY, LINE_STYLES, Sheet
 from ..core.drawings.sheet_page import SIGNED_CELLS
 from ..core.drawings.sheet_style import FORMATS, TITLE_WIDTH, PageFormat
-from .svg import svg_document
+from .qt import qt_major
+from .svg import sized_anew, svg_document
 
 TEMPLATES = Path(__file__).resolve().parents[2] / "resources" / "templates" / "techdraw"
-PIXELS_PER_MM = 96.0 / 25.4  # FreeCAD with Qt 5 takes a symbol's size in pixels of 1/96 inch
+PIXELS_PER_MM = 96.0 / 25.4
 
 
 def template_path(sheet: Sheet) -> str:
@@ -86,7 +87,18 @@ def symbol_svg(sheet: Sheet) -> str:
     """
     lines = [line for line in _view_lines(sheet) if line.style != "narrow"]
     lines += sheet.all_lines()
-    return svg_document(sheet, lines, sheet.all_texts(), "", PIXELS_PER_MM, joined=True)
+    return svg_document(sheet, lines, sheet.all_texts(), *_symbol_unit(), joined=True)
+
+
+def _symbol_unit() -> tuple[str, float]:
+    """Unit of a symbol's size, and how many make a millimetre on the page: with Qt 5 FreeCAD draws
+    millimetres 6 % small and pixels at 1/96 inch; with Qt 6 pixels at 0.1 mm."""
+    return ("mm", 1.0) if qt_major() >= 6 else ("", PIXELS_PER_MM)
+
+
+def resized_symbol(svg: str) -> str:
+    """A symbol of symbol_svg, perhaps of a document saved with another Qt, in this Qt's unit."""
+    return sized_anew(svg, *_symbol_unit())
 
 
 def configure_outline_view(view, source, sheet: Sheet) -> None:

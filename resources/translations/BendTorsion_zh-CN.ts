@@ -31,6 +31,18 @@
 <context>
     <name>BendTorsion</name>
     <message>
+        <source>A page for each plate</source>
+        <translation>每块板一页</translation>
+    </message>
+    <message>
+        <source>AWS</source>
+        <translation>AWS</translation>
+    </message>
+    <message>
+        <source>About where, if they meet twice</source>
+        <translation>大致位置(相交两次时)</translation>
+    </message>
+    <message>
         <source>Add cut</source>
         <translation>添加分段点</translation>
     </message>
@@ -71,12 +83,20 @@
         <translation>取消</translation>
     </message>
     <message>
+        <source>Clearance of templates</source>
+        <translation>样板间隙</translation>
+    </message>
+    <message>
         <source>Closed ring</source>
         <translation>闭合环</translation>
     </message>
     <message>
         <source>Colour by</source>
         <translation>着色依据</translation>
+    </message>
+    <message>
+        <source>Contour of bevelled edges</source>
+        <translation>坡口边的轮廓</translation>
     </message>
     <message>
         <source>Corner joint</source>
@@ -91,6 +111,10 @@
         <translation>分段点</translation>
     </message>
     <message>
+        <source>Cut larger by</source>
+        <translation>切割加量</translation>
+    </message>
+    <message>
         <source>Cut of the end</source>
         <translation>末端切割</translation>
     </message>
@@ -101,6 +125,10 @@
     <message>
         <source>Cut point</source>
         <translation>分段点</translation>
+    </message>
+    <message>
+        <source>Cut {number}: s = {s:.0f} mm</source>
+        <translation>分段点 {number}:s = {s:.0f} mm</translation>
     </message>
     <message>
         <source>Delivery pieces</source>
@@ -119,16 +147,24 @@
         <translation>隔板与端板</translation>
     </message>
     <message>
+        <source>Diaphragms inside</source>
+        <translation>内部隔板</translation>
+    </message>
+    <message>
         <source>Distance (fit offset)</source>
         <translation>距离（偏移贴合）</translation>
     </message>
     <message>
-        <source>Drag a joint or move it by arrow keys; double-click adds one, Del removes it</source>
-        <translation>拖动接缝或用方向键移动；双击添加，Del 删除</translation>
+        <source>Drag a joint, or move it by the left and right arrow keys (Shift: ten times); up and down choose another, double-click or Ins adds one, Del removes it</source>
+        <translation>拖动接缝,或用左右方向键移动(Shift:十倍);上下键选择另一条,双击或 Ins 添加,Del 删除</translation>
     </message>
     <message>
         <source>Drag the cut along the axis</source>
         <translation>沿轴线拖动分段点</translation>
+    </message>
+    <message>
+        <source>Drawing sheets</source>
+        <translation>图纸</translation>
     </message>
     <message>
         <source>Drawn by</source>
@@ -139,12 +175,28 @@
         <translation>EU（欧洲）</translation>
     </message>
     <message>
+        <source>Each face laid flat; breadths drawn {times:.1f} times as large</source>
+        <translation>各面展开图;宽度放大 {times:.1f} 倍</translation>
+    </message>
+    <message>
+        <source>Edit assembly bed</source>
+        <translation>编辑胎架</translation>
+    </message>
+    <message>
         <source>Edit axis</source>
         <translation>编辑轴线</translation>
     </message>
     <message>
+        <source>Edit development</source>
+        <translation>编辑展开</translation>
+    </message>
+    <message>
         <source>Edit member</source>
         <translation>编辑构件</translation>
+    </message>
+    <message>
+        <source>Edit node</source>
+        <translation>编辑节点</translation>
     </message>
     <message>
         <source>Edit plates</source>
@@ -155,8 +207,16 @@
         <translation>编辑截面</translation>
     </message>
     <message>
+        <source>Edit sheets</source>
+        <translation>编辑图纸</translation>
+    </message>
+    <message>
         <source>Edit surface</source>
         <translation>编辑曲面</translation>
+    </message>
+    <message>
+        <source>Ends on it</source>
+        <translation>端部落于其上</translation>
     </message>
     <message>
         <source>Example project</source>
@@ -173,6 +233,14 @@
     <message>
         <source>Extend the start</source>
         <translation>始端延长</translation>
+    </message>
+    <message>
+        <source>Face that lies down</source>
+        <translation>朝下的面</translation>
+    </message>
+    <message>
+        <source>Files and language</source>
+        <translation>文件与语言</translation>
     </message>
     <message>
         <source>Findings</source>
@@ -195,12 +263,24 @@
         <translation>翼缘板通宽</translation>
     </message>
     <message>
+        <source>Format</source>
+        <translation>图幅</translation>
+    </message>
+    <message>
         <source>Forming class</source>
         <translation>成形类别</translation>
     </message>
     <message>
         <source>FreeCAD document (*.FCStd)</source>
         <translation>FreeCAD 文档 (*.FCStd)</translation>
+    </message>
+    <message>
+        <source>Green at the end, mm</source>
+        <translation>末端余量,mm</translation>
+    </message>
+    <message>
+        <source>Green at the start, mm</source>
+        <translation>起端余量,mm</translation>
     </message>
     <message>
         <source>Height h</source>
@@ -211,6 +291,10 @@
         <translation>高度指向</translation>
     </message>
     <message>
+        <source>ISO</source>
+        <translation>ISO</translation>
+    </message>
+    <message>
         <source>Import schedule</source>
         <translation>导入数据表</translation>
     </message>
@@ -219,8 +303,28 @@
         <translation>各面的接缝</translation>
     </message>
     <message>
+        <source>Joints welded</source>
+        <translation>接缝焊接</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K 形</translation>
+    </message>
+    <message>
         <source>Kind</source>
         <translation>种类</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>Language of FreeCAD</source>
+        <translation>FreeCAD 的语言</translation>
+    </message>
+    <message>
+        <source>Layers of cut files</source>
+        <translation>切割文件的图层</translation>
     </message>
     <message>
         <source>Laying flat by</source>
@@ -231,8 +335,32 @@
         <translation>长度误差</translation>
     </message>
     <message>
+        <source>Length of the stub</source>
+        <translation>短牛腿长度</translation>
+    </message>
+    <message>
         <source>Length {length:.1f} mm, off the surface {off:.4f} mm</source>
         <translation>长度 {length:.1f} mm，距曲面 {off:.4f} mm</translation>
+    </message>
+    <message>
+        <source>Lowest pin above its base</source>
+        <translation>最低销高出底座</translation>
+    </message>
+    <message>
+        <source>Lowest seat above the floor</source>
+        <translation>最低支座高出地面</translation>
+    </message>
+    <message>
+        <source>Make flush</source>
+        <translation>做成齐平</translation>
+    </message>
+    <message>
+        <source>Marked and seen from</source>
+        <translation>划线面(视图方向)</translation>
+    </message>
+    <message>
+        <source>Marks on faces</source>
+        <translation>面上标记</translation>
     </message>
     <message>
         <source>Measuring lines every</source>
@@ -251,12 +379,24 @@
         <translation>由选择生成构件</translation>
     </message>
     <message>
+        <source>Name of the node</source>
+        <translation>节点名称</translation>
+    </message>
+    <message>
         <source>New objects</source>
         <translation>新对象</translation>
     </message>
     <message>
-        <source>New objects start with these. Objects that are there keep their own values, and documents their results. The language is that of FreeCAD.</source>
-        <translation>新对象采用这些初始值。已有对象保持自己的值，已有文档的结果不变。语言随 FreeCAD。</translation>
+        <source>New objects start with these. Objects that are there keep their own values, and documents their results.</source>
+        <translation>新对象以这些值开始。已有的对象保留自己的值,文档保留其结果。</translation>
+    </message>
+    <message>
+        <source>New sheets and flat patterns start with these; those that are there keep their own.</source>
+        <translation>新图纸和展开图以这些值开始;已有的保留自己的值。</translation>
+    </message>
+    <message>
+        <source>Node</source>
+        <translation>节点</translation>
     </message>
     <message>
         <source>Offset along the breadth</source>
@@ -273,6 +413,10 @@
     <message>
         <source>On the axis</source>
         <translation>位于轴线的点</translation>
+    </message>
+    <message>
+        <source>Openings</source>
+        <translation>开孔</translation>
     </message>
     <message>
         <source>Order of points</source>
@@ -295,12 +439,36 @@
         <translation>其他对象</translation>
     </message>
     <message>
+        <source>Per butt joint, mm</source>
+        <translation>每条对接缝,mm</translation>
+    </message>
+    <message>
+        <source>Per diaphragm, mm</source>
+        <translation>每块隔板,mm</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>拾取</translation>
+    </message>
+    <message>
         <source>Pick the cut in 3D</source>
         <translation>在三维视图中选取分段点</translation>
     </message>
     <message>
+        <source>Pitch of the pin grid (0: none)</source>
+        <translation>销阵间距(0:无)</translation>
+    </message>
+    <message>
+        <source>Plane of the bed</source>
+        <translation>胎架平面</translation>
+    </message>
+    <message>
         <source>Plates</source>
         <translation>板件</translation>
+    </message>
+    <message>
+        <source>Press, then click it in the view or the tree</source>
+        <translation>按下后在视图或树中点选</translation>
     </message>
     <message>
         <source>Project</source>
@@ -323,6 +491,10 @@
         <translation>绕轴转角</translation>
     </message>
     <message>
+        <source>Root gap</source>
+        <translation>根部间隙</translation>
+    </message>
+    <message>
         <source>Root gap, left or top</source>
         <translation>根部间隙，左或上</translation>
     </message>
@@ -337,6 +509,14 @@
     <message>
         <source>Rules</source>
         <translation>规则</translation>
+    </message>
+    <message>
+        <source>Runs through</source>
+        <translation>贯通构件</translation>
+    </message>
+    <message>
+        <source>Saddles every</source>
+        <translation>托架间距</translation>
     </message>
     <message>
         <source>Schedule (*.xlsx)</source>
@@ -375,12 +555,28 @@
         <translation>显示板件</translation>
     </message>
     <message>
+        <source>Shrinkage across, mm/m</source>
+        <translation>横向收缩,mm/m</translation>
+    </message>
+    <message>
+        <source>Shrinkage along, mm/m</source>
+        <translation>纵向收缩,mm/m</translation>
+    </message>
+    <message>
         <source>Slope 1 :</source>
         <translation>坡度 1 :</translation>
     </message>
     <message>
+        <source>Slope of transitions 1 :</source>
+        <translation>过渡坡度 1 :</translation>
+    </message>
+    <message>
         <source>Split editor</source>
         <translation>分板编辑器</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>标准</translation>
     </message>
     <message>
         <source>Start from</source>
@@ -405,6 +601,22 @@
     <message>
         <source>Surface</source>
         <translation>曲面</translation>
+    </message>
+    <message>
+        <source>Surface laid flat</source>
+        <translation>展开的面</translation>
+    </message>
+    <message>
+        <source>T</source>
+        <translation>T 形</translation>
+    </message>
+    <message>
+        <source>Templates besides at</source>
+        <translation>另加样板位置</translation>
+    </message>
+    <message>
+        <source>Templates every</source>
+        <translation>样板间距</translation>
     </message>
     <message>
         <source>The plates do not fit: 2 t must be less than h and b</source>
@@ -455,8 +667,28 @@
         <translation>US（美国）</translation>
     </message>
     <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Upward direction x, y, z</source>
+        <translation>向上方向 x, y, z</translation>
+    </message>
+    <message>
         <source>Webs full height</source>
         <translation>腹板通高</translation>
+    </message>
+    <message>
+        <source>Welds</source>
+        <translation>焊缝</translation>
+    </message>
+    <message>
+        <source>Which runs through, by</source>
+        <translation>贯通构件的确定方式</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>窗口</translation>
     </message>
     <message>
         <source>Workbook (*.xlsx);;Report (*.json)</source>
@@ -475,6 +707,18 @@
         <translation>已写出：{file}；有 {count} 项数据表无法表达</translation>
     </message>
     <message>
+        <source>Y</source>
+        <translation>Y 形</translation>
+    </message>
+    <message>
+        <source>a number is missing or cannot be read</source>
+        <translation>缺少数字或无法读取</translation>
+    </message>
+    <message>
+        <source>a value is missing</source>
+        <translation>缺少数值</translation>
+    </message>
+    <message>
         <source>after forming</source>
         <translation>成形后</translation>
     </message>
@@ -491,6 +735,14 @@
         <translation>另有 {count} 项</translation>
     </message>
     <message>
+        <source>at least {limit:.0f}</source>
+        <translation>不小于 {limit:.0f}</translation>
+    </message>
+    <message>
+        <source>at most {limit:.0f}</source>
+        <translation>不大于 {limit:.0f}</translation>
+    </message>
+    <message>
         <source>automatic</source>
         <translation>自动</translation>
     </message>
@@ -501,6 +753,10 @@
     <message>
         <source>before forming</source>
         <translation>成形前</translation>
+    </message>
+    <message>
+        <source>between its neighbours: {least:.0f} to {most:.0f} mm</source>
+        <translation>应在相邻接缝之间:{least:.0f} 至 {most:.0f} mm</translation>
     </message>
     <message>
         <source>bottom</source>
@@ -543,6 +799,10 @@
         <translation>控制点</translation>
     </message>
     <message>
+        <source>corner</source>
+        <translation>角节点</translation>
+    </message>
+    <message>
         <source>crossing</source>
         <translation>交点</translation>
     </message>
@@ -575,10 +835,6 @@
         <translation>直接</translation>
     </message>
     <message>
-        <source>document</source>
-        <translation>文档</translation>
-    </message>
-    <message>
         <source>edges</source>
         <translation>保边长</translation>
     </message>
@@ -591,16 +847,16 @@
         <translation>椭球面</translation>
     </message>
     <message>
+        <source>en</source>
+        <translation>英文</translation>
+    </message>
+    <message>
         <source>energy</source>
         <translation>最小能量</translation>
     </message>
     <message>
         <source>face</source>
         <translation>面</translation>
-    </message>
-    <message>
-        <source>figures</source>
-        <translation>数据</translation>
     </message>
     <message>
         <source>fit</source>
@@ -627,8 +883,16 @@
         <translation>标架带</translation>
     </message>
     <message>
+        <source>ft-in</source>
+        <translation>英尺-英寸</translation>
+    </message>
+    <message>
         <source>geodesic</source>
         <translation>测地线</translation>
+    </message>
+    <message>
+        <source>give three numbers: x, y, z</source>
+        <translation>请给出三个数:x, y, z</translation>
     </message>
     <message>
         <source>given</source>
@@ -649,6 +913,14 @@
     <message>
         <source>iso-curve</source>
         <translation>等参线</translation>
+    </message>
+    <message>
+        <source>it has another unit</source>
+        <translation>单位不符</translation>
+    </message>
+    <message>
+        <source>joint of the next face</source>
+        <translation>相邻面的接缝</translation>
     </message>
     <message>
         <source>keep</source>
@@ -673,6 +945,10 @@
     <message>
         <source>link</source>
         <translation>链接</translation>
+    </message>
+    <message>
+        <source>longer plate beside it</source>
+        <translation>两侧较长的板</translation>
     </message>
     <message>
         <source>member</source>
@@ -703,6 +979,22 @@
         <translation>最近</translation>
     </message>
     <message>
+        <source>nearest diaphragm</source>
+        <translation>最近的隔板</translation>
+    </message>
+    <message>
+        <source>nearest end of a piece</source>
+        <translation>最近的运输段端部</translation>
+    </message>
+    <message>
+        <source>nearest fold</source>
+        <translation>最近的折线</translation>
+    </message>
+    <message>
+        <source>nearest node</source>
+        <translation>最近的节点</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>无</translation>
     </message>
@@ -729,6 +1021,10 @@
     <message>
         <source>one member on a dome, with a section change</source>
         <translation>穹顶上的一根变截面构件</translation>
+    </message>
+    <message>
+        <source>or click the member where the axis is to be</source>
+        <translation>或点击构件上轴线应在的位置</translation>
     </message>
     <message>
         <source>outer</source>
@@ -791,6 +1087,10 @@
         <translation>根部</translation>
     </message>
     <message>
+        <source>row {number}: {reason}</source>
+        <translation>第 {number} 行:{reason}</translation>
+    </message>
+    <message>
         <source>rule</source>
         <translation>规则</translation>
     </message>
@@ -801,6 +1101,10 @@
     <message>
         <source>segment</source>
         <translation>段</translation>
+    </message>
+    <message>
+        <source>shorter plate beside it</source>
+        <translation>两侧较短的板</translation>
     </message>
     <message>
         <source>slope</source>
@@ -839,6 +1143,10 @@
         <translation>T 形</translation>
     </message>
     <message>
+        <source>the expression cannot be read: {reason}</source>
+        <translation>表达式无法读取:{reason}</translation>
+    </message>
+    <message>
         <source>thickness</source>
         <translation>厚度</translation>
     </message>
@@ -875,6 +1183,10 @@
         <translation>过渡方式</translation>
     </message>
     <message>
+        <source>transition {length:.0f} mm</source>
+        <translation>过渡段 {length:.0f} mm</translation>
+    </message>
+    <message>
         <source>trapezoid</source>
         <translation>梯形</translation>
     </message>
@@ -903,12 +1215,20 @@
         <translation>线</translation>
     </message>
     <message>
-        <source>writing</source>
-        <translation>正在写出</translation>
+        <source>with drawing sheets (slower)</source>
+        <translation>带图纸(较慢)</translation>
     </message>
     <message>
-        <source>writing and reading it again</source>
-        <translation>写出并重新读入</translation>
+        <source>without drawing sheets</source>
+        <translation>不带图纸</translation>
+    </message>
+    <message>
+        <source>zh</source>
+        <translation>中文</translation>
+    </message>
+    <message>
+        <source>{count} joints, {broken} of them against the rules</source>
+        <translation>{count} 条接缝,其中 {broken} 条违反规则</translation>
     </message>
     <message>
         <source>{count} members from M{first} on, cut into plates</source>
@@ -919,16 +1239,44 @@
         <translation>{count} 根构件已写出到 {folder}</translation>
     </message>
     <message>
+        <source>{count} pages</source>
+        <translation>{count} 页</translation>
+    </message>
+    <message>
+        <source>{count} patterns, lengths within {off:.4f} mm</source>
+        <translation>{count} 张展开图,长度误差不超过 {off:.4f} mm</translation>
+    </message>
+    <message>
         <source>{count} plates, {mass:.0f} kg</source>
         <translation>{count} 块板，{mass:.0f} kg</translation>
     </message>
     <message>
-        <source>{face}: joint {number} at {place:.1f} mm</source>
-        <translation>{face}：第 {number} 道接缝位于 {place:.1f} mm</translation>
+        <source>{count} saddles, lying on: {faces}</source>
+        <translation>{count} 个托架,朝下的面:{faces}</translation>
+    </message>
+    <message>
+        <source>{face}: joint {number} at</source>
+        <translation>{face}:接缝 {number} 位于</translation>
+    </message>
+    <message>
+        <source>{kind}, angle {angle:.1f}°, axes {off:.2f} mm apart</source>
+        <translation>{kind},夹角 {angle:.1f}°,轴线相距 {off:.2f} mm</translation>
     </message>
     <message>
         <source>{position} of the section on the axis; arrow keys move it</source>
         <translation>截面的{position}位于轴线上；用方向键移动</translation>
+    </message>
+    <message>
+        <source>{text} cannot be read</source>
+        <translation>{text} 无法读取</translation>
+    </message>
+    <message>
+        <source>{text} has another unit than {unit}</source>
+        <translation>{text} 的单位不是 {unit}</translation>
+    </message>
+    <message>
+        <source>{text} is not between {least:g} and {most:g} {unit}</source>
+        <translation>{text} 不在 {least:g} 与 {most:g} {unit} 之间</translation>
     </message>
 </context>
 <context>
@@ -1042,6 +1390,17 @@
     </message>
 </context>
 <context>
+    <name>BendTorsion_FaceMarks</name>
+    <message>
+        <source>Marks on faces</source>
+        <translation>面上标记</translation>
+    </message>
+    <message>
+        <source>Punches, lines and texts marked on the faces of the member</source>
+        <translation>在构件各面上标记的冲点、线和文字</translation>
+    </message>
+</context>
+<context>
     <name>BendTorsion_Findings</name>
     <message>
         <source>All errors, warnings and notes of the document; a click shows the place</source>
@@ -1094,6 +1453,28 @@
     <message>
         <source>Select one face, shell or surface and curves on it: each curve becomes a numbered box member that follows the face, cut into plates</source>
         <translation>选择一个面、壳或曲面以及其上的曲线：每条曲线生成一根随面的编号箱形构件，并分成板件</translation>
+    </message>
+</context>
+<context>
+    <name>BendTorsion_Node</name>
+    <message>
+        <source>Node</source>
+        <translation>节点</translation>
+    </message>
+    <message>
+        <source>Where the second selected member ends on the first, or the node selected</source>
+        <translation>第二个选中的构件落于第一个构件之处,或选中的节点</translation>
+    </message>
+</context>
+<context>
+    <name>BendTorsion_Openings</name>
+    <message>
+        <source>Holes and slots in the faces of the member</source>
+        <translation>构件各面上的孔和长孔</translation>
+    </message>
+    <message>
+        <source>Openings</source>
+        <translation>开孔</translation>
     </message>
 </context>
 <context>
@@ -1209,8 +1590,8 @@
 <context>
     <name>BendTorsion_Splits</name>
     <message>
-        <source>Drag the joints of each face on a strip, held against the rules as you drag</source>
-        <translation>在展开条上拖动各面的接缝，拖动时按规则检查</translation>
+        <source>Drag the joints of each face on the face laid flat, held against the rules at once</source>
+        <translation>在展开的面上拖动各面接缝,即时按规则校核</translation>
     </message>
     <message>
         <source>Split editor</source>
@@ -1226,6 +1607,17 @@
     <message>
         <source>The surface members follow: from selected faces of a shape; with nothing selected, a dome, cylinder, cone, torus or plane by its sizes</source>
         <translation>构件所随的曲面：取自所选形体的面；未选择时按尺寸生成穹顶、圆柱、圆锥、圆环或平面</translation>
+    </message>
+</context>
+<context>
+    <name>BendTorsion_Welds</name>
+    <message>
+        <source>Preparation, place and tests of seams and joints that differ from the rule pack</source>
+        <translation>与规则包不同的焊缝坡口、焊接地点和检验</translation>
+    </message>
+    <message>
+        <source>Welds</source>
+        <translation>焊缝</translation>
     </message>
 </context>
 <context>

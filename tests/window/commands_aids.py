@@ -1,15 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the steps of commands_session share: findings of a panel, recorded lines, a document."""
+"""What sessions with commands share: findings of a panel, recorded lines, documents."""
 
 import FreeCAD
 import FreeCADGui
-from hands import field, window
+from hands import field, named, window
 from PySide import QtGui
 
 
 def panel_text():
     """What the task panel says was found."""
     return field("findings", QtGui.QLabel).text()
+
+
+def ok_enabled():
+    """Whether the task panel allows OK."""
+    boxes = [box for box in window().findChildren(QtGui.QDialogButtonBox) if box.isVisible()]
+    return boxes[0].button(QtGui.QDialogButtonBox.Ok).isEnabled()
 
 
 def recorded():
@@ -35,6 +41,32 @@ def member_document(name):
         member = make.make_member(document, f"M{k}", axis, used, segments)
         make.make_plates(document, member, {"top": [6500, 12500], "bottom": [4000, 9000]})
         member.ViewObject.Visibility = False
+    document.recompute()
+    document.clearUndos()
+    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    return document
+
+
+def whole_document(name):
+    """Two members on a plane, the second ending on the first, with all that follows plates."""
+    from BendTorsionWB import make
+
+    document = FreeCAD.newDocument(name)
+    ground = make.make_surface(document, "Ground", "plane")
+    lines = {"M1": ((0, 0, 0), (9000, 0, 0)), "M2": ((4000, 0, 0), (4000, 5000, 0))}
+    section = make.make_section(document, "B", h=500, b=400, t=12)
+    plates = {}
+    for mark, ends in lines.items():
+        axis = make.make_axis(document, f"{mark}-axis", ground, ends)
+        member = make.make_member(document, mark, axis, [section])
+        joints = {"top": [3000, 6000], "left": [2500]} if mark == "M1" else {}
+        plates[mark] = make.make_plates(document, member, joints)
+        member.ViewObject.Visibility = False
+    unfold = make.make_unfold(document, plates["M1"])
+    make.make_sheets(document, unfold, plate_pages=False)
+    make.make_bed(document, plates["M1"])
+    make.make_node(document, named("M1"), named("M2"), plates=list(plates.values()))
     document.recompute()
     document.clearUndos()
     FreeCADGui.ActiveDocument.ActiveView.viewIsometric()

@@ -10,7 +10,7 @@ from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import steps
-from commands_aids import member_document, panel_text, recorded
+from commands_aids import member_document, ok_enabled, panel_text, recorded
 from hands import field, key, named, press, retype, run, select, window
 
 
@@ -43,6 +43,7 @@ def nothing_selected():
     names = (
         *("MembersFromSelection", "Axis", "Member", "CutPoint", "Alignment", "Plates", "Pieces"),
         *("Diaphragms", "Splits", "Development", "AssemblyBed", "Sheets", "ShowFrames"),
+        *("Openings", "FaceMarks", "Welds", "Node"),
         *("ShowMarks", "ShowPoints", "ShowAs", "ColourBy", "ExportPackage", "Report"),
         "WriteSchedule",
     )
@@ -75,7 +76,7 @@ def members():
             Part.makeCircle(20000, FreeCAD.Vector(), FreeCAD.Vector(0, tilt, 30), start, end)
             for tilt, start, end in ((10, 10, 50), (25, 10, 30), (25, 30, 50), (40, 10, 50))
         ]
-        for item, shape in (("One", arcs[0]), ("Two", Part.makeCompound(arcs[1:]))):
+        for item, shape in (("One", arcs[0]), ("Two", Part.Compound(arcs[1:]))):
             document.addObject("Part::Feature", item).Shape = shape
         document.recompute()
         return document
@@ -152,6 +153,7 @@ def section_panel():
     retype(field("Thickness"), "400 mm")
     steps.settle(10)
     state["bad"] = [panel_text(), plates.PlateCount, plates.Status]
+    state["ok"] = ok_enabled()
     state["flagged"] = [bool(field(name).styleSheet()) for name in ("Thickness", "Height")]
     steps.picture("section_bad")
     press("Cancel")
@@ -227,8 +229,9 @@ def plate_panels():
     steps.settle(10)
     result["count"].append(plates.PlateCount)
     retype(field("joints left"), "8000 x")
-    result["bad"] = [list(plates.JointsLeft), field("joints left").toolTip()]
+    result["bad"] = [list(plates.JointsLeft), field("joints left").toolTip(), ok_enabled()]
     steps.picture("plates_panel")
+    retype(field("joints left"), "8000")
     press("Ok")
     result["kept"] = [list(plates.JointsLeft), document.UndoNames]
     select(plates)
@@ -260,8 +263,11 @@ def plate_panels():
     result["diaphragms"] = [list(plates.DiaphragmPlaces), list(plates.DiaphragmGaps), plates.Status]
     rows.write({(2, 0): "nowhere", (2, 1): "12"})
     steps.settle()
-    result["bad_row"] = [list(plates.DiaphragmPlaces), rows.item(2, 0).toolTip()]
+    result["bad_row"] = [list(plates.DiaphragmPlaces), rows.item(2, 0).toolTip(), ok_enabled()]
     steps.picture("diaphragms")
+    rows.write({(2, 0): "", (2, 1): ""})
+    steps.settle()
+    result["mended"] = ok_enabled()
     press("Ok")
     result["undo"] = document.UndoNames
     members_ = [named("M1"), named("M2")]
@@ -308,11 +314,42 @@ def table():
     steps.settle()
     plates = named("M1 plates")
     result["joints"] = [list(plates.AutoJoints), list(plates.JointsRight), plates.Status]
+    result["told"] = told_while_typed(cells, named("M1").Label)
+    QtGui.QApplication.clipboard().setText('"3"\tlinear')
+    cells.clearSelection()
+    for row in (1, 2):
+        for column in (4, 5):
+            cells.item(row, column).setSelected(True)
+    cells.paste()
+    steps.settle()
+    result["repeated"] = [m1.Slope2, m1.Slope3, m1.Transition2, m1.Transition3]
+    cells.clearSelection()
+    for row, column in ((1, 3), (2, 4)):
+        cells.item(row, column).setSelected(True)
+    cells.copy()
+    result["copied"] = QtGui.QApplication.clipboard().text()
     cells.write({(1, 3): "99000"})
     steps.settle()
     result["error"] = [m1.Status, cells.item(0, 0).toolTip()]
     steps.picture("member_table")
     return result
+
+
+def told_while_typed(cells, label):
+    """What is said in the editor of an alignment: a bad word, a good one; what it offers."""
+    cells.setCurrentCell(1, 6)
+    cells.editItem(cells.item(1, 6))
+    editor = next(w for w in cells.findChildren(QtGui.QLineEdit) if w.isVisible())
+    said = []
+    for text in ("nowhere", "top"):
+        editor.setText(text)
+        said.append([bool(editor.styleSheet()), editor.toolTip()])
+        if text == "nowhere":
+            steps.picture("member_table_typing")
+    offered = editor.completer().model().rowCount()
+    cells.closeEditor(editor, QtGui.QAbstractItemDelegate.RevertModelCache)
+    steps.settle()
+    return [*said, offered, cells.item(1, 6).text()]
 
 
 def findings():
@@ -404,6 +441,7 @@ def folded():
     press("Ok")
     select(member)
     run("Development")
+    press("Ok")
     tree = [item for item in steps.tree_items() if item[1].startswith("M1")]
     FreeCAD.closeDocument("Folded")
     return {"tree": tree}

@@ -64,6 +64,20 @@ def retype(widget, text):
     steps.settle()
 
 
+def answered(answer):
+    """Call a function with the next dialog that is shown, as soon as it is."""
+
+    def look():
+        dialog = QtGui.QApplication.activeModalWidget()
+        if dialog is None or not dialog.isVisible():
+            QtCore.QTimer.singleShot(100, look)
+        else:
+            steps.settle(2)
+            answer(dialog)
+
+    QtCore.QTimer.singleShot(100, look)
+
+
 def named(label, document=None):
     """The object with a label."""
     return (document or FreeCAD.ActiveDocument).getObjectsByLabel(label)[0]

@@ -45,4 +45,44 @@ def pages():
     }
 
 
-steps.run(commands, pages)
+def panels():
+    """A panel of each kind and both pages of preferences, with every label that is cut off."""
+    from commands_aids import whole_document
+
+    from BendTorsionWB.gui import editors, section_dialog
+    from BendTorsionWB.gui.preferences_page import OutputPage, PreferencesPage
+
+    document = whole_document("Panels")
+    window = FreeCADGui.getMainWindow()
+    cut, words = {}, {}
+    for obj in [
+        item for item in document.Objects if getattr(item, "BT_Type", "") in editors.PANELS
+    ]:
+        if obj.BT_Type in words:
+            continue
+        FreeCADGui.getDocument(document.Name).setEdit(obj.Name)
+        steps.settle(4)
+        steps.picture(f"zh_{obj.BT_Type}")
+        dock = next(d for d in window.findChildren(QtGui.QDockWidget) if d.isVisible())
+        cut[obj.BT_Type], words[obj.BT_Type] = steps.cut_labels(dock), steps.words(dock)
+        FreeCADGui.getDocument(document.Name).resetEdit()
+        steps.settle(3)
+    for page in (PreferencesPage(), OutputPage()):
+        page.loadSettings()
+        page.form.resize(page.form.sizeHint())
+        page.form.show()
+        steps.settle(2)
+        name = type(page).__name__
+        cut[name], words[name] = steps.cut_labels(page.form), steps.words(page.form)
+        page.form.hide()
+    dialog = section_dialog.SectionDialog(window, 1, 3)
+    dialog.show()
+    steps.picture("zh_dialog")
+    cut["dialog"], words["dialog"] = steps.cut_labels(dialog), steps.words(dialog)
+    dialog.close()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    steps.picture("zh_window")
+    return {"cut": cut, "words": words}
+
+
+steps.run(commands, pages, panels)

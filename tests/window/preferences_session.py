@@ -20,9 +20,11 @@ def figures(document):
             if name in item.PropertiesList:
                 value = getattr(item, name)
                 found[f"{item.Label}.{name}"] = getattr(value, "Value", value)
-        for name in ("RulePack", "Mode", "Project", "Author"):
+        for name in ("RulePack", "Mode", "Project", "Author", "SheetFormat", "Slope2"):
             if name in item.PropertiesList:
                 found[f"{item.Label}.{name}"] = getattr(item, name)
+        if "LayerNames" in item.PropertiesList:
+            found[f"{item.Label}.LayerNames"] = list(item.LayerNames)
     return found
 
 
@@ -35,16 +37,19 @@ def make_all():
         surface = macro.make("make_surface", document, "Ground", "plane")
         axis = macro.make("make_axis", document, "A1", surface, [(0, 0, 0), (4000, 0, 0)])
         section = macro.make("make_section", document, "S")
-        member = macro.make("make_member", document, "M1", axis, [section])
+        member = macro.make("make_member", document, "M1", axis, [section], [{}])
+        macro.recompute()
+        macro.make("add_cut", member, 2000.0)
         plates = macro.make("make_plates", document, member)
         unfold = macro.make("make_unfold", document, plates)
         macro.make("make_sheets", document, unfold)
         macro.recompute()
     console = FreeCADGui.getMainWindow().findChild(QtGui.QPlainTextEdit, "Python console")
     lines = [line[4:] for line in console.toPlainText().splitlines() if "make.make_" in line]
+    made = [line[4:] for line in console.toPlainText().splitlines() if "make.add_cut" in line]
     found = figures(document)
     FreeCAD.closeDocument(document.Name)
-    return {"figures": found, "lines": lines[-7:]}
+    return {"figures": found, "lines": lines[-7:], "all": made}
 
 
 def before():
@@ -64,7 +69,10 @@ def changed():
         result["texts"] = [label.text() for label in page.parent().findChildren(QtGui.QLabel)]
         field = {
             name: dialog.findChild(QtGui.QWidget, name)
-            for name in ("Height", "StationSpacing", "AxisTolerance", "RulePack", "Author")
+            for name in (
+                *("Height", "StationSpacing", "AxisTolerance", "RulePack", "Author", "Slope"),
+                *("LayerCUT_OUTER", "SheetFormat", "WindowLanguage"),
+            )
         }
         result["shown"] = [
             field[name].property("rawValue")
@@ -74,7 +82,18 @@ def changed():
             field[name].setProperty("rawValue", value)
         field["RulePack"].setCurrentIndex(field["RulePack"].findData("EU"))
         field["Author"].setText("A. Detailer")
+        field["Slope"].setValue(4.0)
+        field["LayerCUT_OUTER"].setText("10")
+        field["SheetFormat"].setCurrentIndex(field["SheetFormat"].findData("A1"))
         steps.picture("preferences")
+        tabs = dialog.findChildren(QtGui.QTabWidget)
+        own = [tab for tab in tabs if tab.isVisible()]
+        if own:
+            own[0].setCurrentIndex(1)
+        steps.picture("preferences_files")
+        result["languages"] = [
+            field["WindowLanguage"].itemText(k) for k in range(field["WindowLanguage"].count())
+        ]
         dialog.findChild(QtGui.QDialogButtonBox).button(QtGui.QDialogButtonBox.Ok).click()
 
     QtCore.QTimer.singleShot(1500, fill)
@@ -91,4 +110,21 @@ def after():
     return {"existing": figures(document), "new": make_all()}
 
 
-steps.run(before, changed, after)
+def language():
+    """The other language, by the page: at once, and kept for the next start."""
+    from BendTorsionWB.gui.preferences_page import OutputPage
+
+    page = OutputPage()
+    page.loadSettings()
+    page.language.setCurrentIndex(page.language.findData("Chinese Simplified"))
+    page.saveSettings()
+    steps.settle()
+    kept = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/General").GetString("Language")
+    return {
+        "now": FreeCADGui.getLocale(),
+        "kept": kept,
+        "word": FreeCAD.Qt.translate("BendTorsion", "Height h"),
+    }
+
+
+steps.run(before, changed, after, language)

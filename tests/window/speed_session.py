@@ -21,8 +21,9 @@ def spent(action):
     wall, cpu = time.perf_counter(), time.process_time()
     action()
     QtGui.QApplication.processEvents()
-    if FreeCADGui.ActiveDocument is not None:
-        FreeCADGui.ActiveDocument.ActiveView.redraw()
+    view = FreeCADGui.ActiveDocument.ActiveView if FreeCADGui.ActiveDocument else None
+    if hasattr(view, "redraw"):
+        view.redraw()
     return {"wall": time.perf_counter() - wall, "cpu": time.process_time() - cpu}
 
 
@@ -87,7 +88,8 @@ def traced(kind, name, label, parts):
 
 def open_model():
     """Open a saved model and draw it."""
-    FreeCAD.closeDocument("Edit")
+    for name in list(FreeCAD.listDocuments()):
+        FreeCAD.closeDocument(name)
     path = os.environ["BENDTORSION_WINDOW_MODEL"]
     result = spent(lambda: (FreeCAD.openDocument(path), FreeCADGui.SendMsgToActiveView("ViewFit")))
     result["note"] = f"{len(FreeCAD.ActiveDocument.Objects)} objects"
@@ -108,6 +110,75 @@ def turn():
     return {name: value / turns for name, value in spent(around).items()}
 
 
+def turn_labelled():
+    """Turn it with every label and the ribbons of all frames on."""
+    for item in FreeCAD.ActiveDocument.Objects:
+        kind = getattr(item, "BT_Type", "")
+        if kind == "PlateSet":
+            item.ViewObject.ShowMarks = item.ViewObject.ShowPoints = True
+        if kind == "Axis":
+            item.ViewObject.Visibility = item.ViewObject.ShowFrames = True
+    steps.settle()
+    plates = [o for o in FreeCAD.ActiveDocument.Objects if getattr(o, "BT_Type", "") == "PlateSet"]
+    count = sum(len(item.ViewObject.Proxy.labels.labels) for item in plates)
+    return turn() | {"note": f"{count} labels, ribbons of all axes"}
+
+
+def open_page():
+    """Open the first drawing page of the model, which waits until then."""
+    pages = [o for o in FreeCAD.ActiveDocument.Objects if o.isDerivedFrom("TechDraw::DrawPage")]
+    drawn = sum(page.KeepUpdated for page in pages)
+    result = spent(pages[0].ViewObject.doubleClicked)
+    return result | {"note": f"{len(pages)} pages, {drawn} drawn before"}
+
+
+def first_minute():
+    """Members from a face and three curves of a STEP file: opened, made, drawn; what a user has to
+    wait for, the dialog apart."""
+    import ImportGui
+    import Part
+    from BendTorsionWB.gui import commands_model, section_dialog, selection
+
+    path = os.path.join(os.environ["HOME"], "roof.step")
+    arcs = [
+        Part.makeCircle(20000, FreeCAD.Vector(), FreeCAD.Vector(0, tilt, 30), 20, 60)
+        for tilt in (10, 20, 30)
+    ]
+    roof = Part.makeSphere(20000).Faces[0]
+    Part.makeCompound([roof, *arcs]).exportStep(path)
+    parts = {}
+
+    def step(label, action):
+        start = time.process_time()
+        found = action()
+        parts[label] = time.process_time() - start
+        return found
+
+    def everything():
+        document = FreeCAD.newDocument("Minute")
+        step("STEP file read", lambda: ImportGui.insert(path, "Minute"))
+        shape = next(o for o in document.Objects if getattr(o, "Shape", None) and o.Shape.Faces)
+        own = len(shape.Shape.Faces[0].Edges)
+        edges = [f"Edge{k}" for k in range(own + 1, len(shape.Shape.Edges) + 1)]
+        FreeCADGui.Selection.clearSelection()
+        for name in ("Face1", *edges):
+            FreeCADGui.Selection.addSelection("Minute", shape.Name, name)
+        surface, curves = step(
+            "selection sorted", lambda: selection.surface_and_curves(selection.picked())
+        )
+        choice = section_dialog.SectionChoice("box1", 600.0, 500.0, 16.0, "centre", 1)
+        step(
+            "members made",
+            lambda: commands_model.make_members(document, surface, curves, choice),
+        )
+        FreeCADGui.SendMsgToActiveView("ViewFit")
+
+    result = spent(everything)
+    made = [o for o in FreeCAD.ActiveDocument.Objects if getattr(o, "BT_Type", "") == "PlateSet"]
+    FreeCAD.closeDocument("Minute")
+    return result | {"parts": parts, "note": f"{len(made)} members"}
+
+
 ACTIVATION = {}
 activate = FreeCADGui.activateWorkbench
 
@@ -119,4 +190,4 @@ def timed_activation(name):
 
 
 FreeCADGui.activateWorkbench = timed_activation
-steps.run(activation, edit, open_model, turn)
+steps.run(activation, edit, first_minute, open_model, turn, turn_labelled, open_page)

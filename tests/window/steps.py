@@ -49,6 +49,16 @@ def _arrange_window():
     settle()
 
 
+def narrow(width=400):
+    """Give the tree and the properties a width, as a panel leaves them wide."""
+    main = FreeCADGui.getMainWindow()
+    docks = [d for d in main.findChildren(QtGui.QDockWidget) if d.objectName() == "Combo View"]
+    main.resizeDocks(docks, [width], QtCore.Qt.Horizontal)
+    tree = main.findChild(QtGui.QTreeWidget)
+    tree.setColumnWidth(0, width - 30)
+    settle(2)
+
+
 def _refuse_box():
     box = QtGui.QApplication.activeModalWidget()
     if isinstance(box, QtGui.QMessageBox) and box.windowTitle().startswith("Workbench"):
@@ -77,6 +87,30 @@ def picture(name):
     screen = QtGui.QApplication.primaryScreen()
     shown = screen.grabWindow(0, at.x(), at.y(), at.width(), at.height())
     shown.save(str(folder / f"{name}.png"))
+
+
+def cut_labels(widget):
+    """Texts of visible labels, buttons and boxes that have less room than they need."""
+    cut = []
+    for item in widget.findChildren(QtGui.QWidget):
+        text = getattr(item, "text", lambda: "")() if hasattr(item, "text") else ""
+        if not isinstance(item, (QtGui.QLabel, QtGui.QAbstractButton)) or not item.isVisible():
+            continue
+        wraps = isinstance(item, QtGui.QLabel) and item.wordWrap()
+        if text and not wraps and item.width() < item.minimumSizeHint().width():
+            cut.append(text)
+    return cut
+
+
+def words(widget):
+    """Texts of visible labels, check boxes and group boxes."""
+    found = []
+    for item in widget.findChildren(QtGui.QWidget):
+        if item.isVisible() and isinstance(item, (QtGui.QLabel, QtGui.QCheckBox)):
+            found.append(item.text())
+        if item.isVisible() and isinstance(item, QtGui.QGroupBox):
+            found.append(item.title())
+    return [text for text in found if text]
 
 
 def tree_items():

@@ -14,7 +14,7 @@ from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import steps
-from hands import asked, field, named, press, run, select, window
+from hands import answered, asked, field, key, named, press, retype, run, select, window
 
 FOLDER = os.path.dirname(os.environ["BENDTORSION_WINDOW_RESULT"])
 
@@ -26,6 +26,7 @@ def ours(kind):
 
 def look(*objects):
     """Turn the view to the objects, all when none are given."""
+    steps.narrow()
     view = FreeCADGui.ActiveDocument.ActiveView
     view.viewIsometric()
     if objects:
@@ -68,8 +69,7 @@ def members_from_selection():
     select((roof, "Face1"), *((roof, curve) for curve in curves))
     result = {"curves": len(curves), "undo_before": FreeCAD.ActiveDocument.UndoCount}
 
-    def answer():
-        dialog = QtGui.QApplication.activeModalWidget()
+    def answer(dialog):
         dialog.fields["h"].setProperty("rawValue", 700.0)
         dialog.fields["b"].setProperty("rawValue", 500.0)
         dialog.fields["t"].setProperty("rawValue", 14.0)
@@ -77,7 +77,7 @@ def members_from_selection():
         result["ok"] = dialog.buttons.button(QtGui.QDialogButtonBox.Ok).isEnabled()
         dialog.accept()
 
-    QtCore.QTimer.singleShot(800, answer)
+    answered(answer)
     result["shown"] = run("MembersFromSelection")
     result["undo_after"] = FreeCAD.ActiveDocument.UndoCount
     roof.ViewObject.Visibility = False
@@ -107,16 +107,35 @@ def edit_section():
 
 
 def joints():
-    """4: the split editor: two joints in the top face, one in the bottom face."""
+    """4: joints by the rules for all members; those of one on its developed faces."""
+    shown, faces = [], ("top", "bottom", "left", "right")
+    for plates in ours("PlateSet"):
+        select(plates)
+        shown += run("Plates")
+        for face in faces:
+            retype(field(f"joints {face}"), "auto")
+        steps.settle(6)
+        press("Ok")
     plates = named("M1 plates")
-    plates.JointsTop, plates.JointsBottom = [0.35, 0.7], [0.5]
-    FreeCAD.ActiveDocument.recompute()
     select(plates)
-    shown = run("Splits")
-    steps.picture("5-split-editor")
-    press("Ok")
+    shown += run("Splits")
     FreeCADGui.Selection.clearSelection()
-    return {"shown": shown, "plates": plates.PlateCount, "status": plates.Status}
+    view = window().findChildren(QtGui.QGraphicsView)[-1]
+    view.setFocus()
+    key(view, QtCore.Qt.Key_Down)
+    for _ in range(15):
+        key(view, QtCore.Qt.Key_Right)
+    steps.settle(10)
+    verdict = field("verdict", QtGui.QLabel).text()
+    steps.picture("5-split-editor")
+    press("Cancel")
+    return {
+        "shown": shown,
+        "verdict": verdict,
+        "plates": [item.PlateCount for item in ours("PlateSet")],
+        "status": plates.Status,
+        "warnings": [text for item in ours("PlateSet") for text in item.Findings],
+    }
 
 
 def marks():
@@ -143,8 +162,11 @@ def development():
         item.ViewObject.Visibility = False
     for item in ours("Unfold")[1:]:
         item.ViewObject.Visibility = False
+    FreeCADGui.Selection.clearSelection()
+    steps.narrow()
     FreeCADGui.ActiveDocument.ActiveView.viewTop()
     FreeCADGui.SendMsgToActiveView("ViewFit")
+    folded_out(3)
     steps.picture("7-development")
     unfolds = ours("Unfold")
     return {
@@ -160,8 +182,10 @@ def sheets():
     FreeCADGui.Selection.clearSelection()
     shown = run("Sheets")
     pages = [o for o in FreeCAD.ActiveDocument.Objects if o.isDerivedFrom("TechDraw::DrawPage")]
+    steps.narrow()
     pages[0].ViewObject.doubleClicked()
     steps.settle(15)
+    FreeCADGui.SendMsgToActiveView("ViewFit")
     folded_out(3)
     steps.picture("8-sheet")
     return {

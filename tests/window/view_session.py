@@ -25,16 +25,28 @@ def by_label(label):
 
 
 def texts(obj):
-    """The texts shown beside the shape of an object."""
+    """The texts beside the shape of an object, those left out for want of room included."""
+    layer = getattr(obj.ViewObject.Proxy, "labels", None)
+    return [] if layer is None else [label.text for label in layer.labels]
+
+
+def labels_seen(obj):
+    """What the scene draws of them: text, pixels from the lower left, width and height."""
     from pivy import coin
 
-    found = []
     search = coin.SoSearchAction()
     search.setType(coin.SoType.fromName("SoFrameLabel"))
     search.setInterest(coin.SoSearchAction.ALL)
     search.apply(obj.ViewObject.RootNode)
+    found = []
+    view = FreeCADGui.ActiveDocument.ActiveView
     for path in search.getPaths():
-        found.append(path.getTail().getField("string").get().getString().strip('"'))
+        text = path.getTail().getField("string").get().getString().strip('"')
+        layer = obj.ViewObject.Proxy.labels
+        box = next(label.pixels for label in layer.labels if label.text == text)
+        above = path.getNodeFromTail(1)
+        place = above.getChild(0).translation.getValue().getValue()
+        found.append([text, *view.getPointOnScreen(*place), *box])
     return found
 
 
@@ -117,6 +129,30 @@ def labels():
     return result
 
 
+def thinning():
+    """Labels of a member seen from near and from afar, from far away none."""
+    plates = by_label("M1 plates")
+    view = FreeCADGui.ActiveDocument.ActiveView
+    plates.ViewObject.ShowMarks = plates.ViewObject.ShowPoints = True
+    view.viewIsometric()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    camera = view.getCameraNode()
+    result = {"all": len(texts(plates)), "seen": []}
+    height = camera.height.getValue()
+    middle = FreeCAD.Vector(plates.Shape.BoundBox.Center)
+    eye = middle - view.getViewDirection() * camera.focalDistance.getValue()
+    camera.position.setValue(eye.x, eye.y, eye.z)
+    for zoom in (1.0, 4.0, 16.0, 0.1):
+        camera.height = height / zoom
+        view.redraw()
+        steps.settle()
+        result["seen"].append(labels_seen(plates))
+        steps.picture(f"view_labels_{zoom:g}")
+    plates.ViewObject.ShowMarks = plates.ViewObject.ShowPoints = False
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    return result
+
+
 def frames():
     """The ribbon of an axis that bends, and its height by the property."""
     axis = by_label("A1")
@@ -190,6 +226,43 @@ def errors():
     return result
 
 
+def hidden_in_error():
+    """Skins and plates while a section is in error: who hides or shows them then has them so after
+    it is mended, whatever was shown before."""
+    from BendTorsionWB.gui import member_display
+
+    section, member, plates = by_label("B"), by_label("M1"), by_label("M1 plates")
+    document = FreeCAD.ActiveDocument
+    result = {}
+
+    def seen():
+        return {
+            item.Label: [item.ViewObject.Visibility, item.ViewObject.isVisible(), item.Visibility]
+            for item in (member, plates)
+        }
+
+    def mended(meanwhile):
+        section.Thickness = 400.0
+        document.recompute()
+        steps.settle()
+        meanwhile()
+        steps.settle()
+        during = seen()
+        section.Thickness = 16.0
+        document.recompute()
+        steps.settle()
+        return [during, seen()]
+
+    member_display.show_as([member], "plates")
+    result["hidden skin"] = mended(lambda: None)
+    member_display.show_as([member], "skin")
+    result["skin, plates wanted"] = mended(lambda: member_display.show_as([member], "plates"))
+    result["plates, skin wanted"] = mended(lambda: member_display.show_as([member], "skin"))
+    result["hidden by hand"] = mended(lambda: setattr(member.ViewObject, "Visibility", False))
+    member_display.show_as([member], "plates")
+    return result
+
+
 def warnings():
     """A joint too close to another is a warning: the badge is on the plates and on the member."""
     from BendTorsionWB.gui import tree
@@ -217,4 +290,14 @@ def speed():
     return {"labels": sum(len(texts(item)) for item in ours("PlateSet")), "frame": spent}
 
 
-steps.run(saved_without_window, labels, frames, modes, errors, warnings, speed)
+steps.run(
+    saved_without_window,
+    labels,
+    thinning,
+    frames,
+    modes,
+    errors,
+    hidden_in_error,
+    warnings,
+    speed,
+)

@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.integrate import trapezoid
 from scipy.interpolate import make_interp_spline
 
 from .. import tolerances
@@ -102,14 +103,14 @@ def refined_parameters(
     points, first, second = (part.reshape(*u.shape, 3) for part in fit.curve.evaluate(u.ravel(), 2))
     speed = np.linalg.norm(first, axis=2)
     curvature = np.linalg.norm(np.cross(first, second), axis=2) / speed**3
-    length = np.trapz(speed, u, axis=1)
+    length = trapezoid(speed, u, axis=1)
     need = [np.ones(len(spans))]
     if rules.max_spacing:
         need.append(length / rules.max_spacing)
     if rules.chord_sag:
         need.append(length * np.sqrt(curvature.max(axis=1) / (8.0 * rules.chord_sag)))
     if rules.tangent_turn:
-        need.append(np.trapz(curvature * speed, u, axis=1) / rules.tangent_turn)
+        need.append(trapezoid(curvature * speed, u, axis=1) / rules.tangent_turn)
     if rules.twist_step and surface is not None:
         normal = surface.closest(points.reshape(-1, 3)).normals.reshape(points.shape)
         across = np.cross(first / speed[..., None], normal)

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..lofting import MemberRecord
-from .sheet import Polyline, Sheet, Table, Text, View, text_width
+from .sheet import Polyline, Sheet, Table, Text, View, text_box, text_width
 from .sheet_labels import Labels, as_points, label_beyond
 from .sheet_overview import DRAWN_TOLERANCE, HEADING, SCALES
 from .sheet_page import TEXT, Page, Subject, finished
@@ -171,9 +171,7 @@ class _Views:
             y0 = top - HEADING - LABEL_ROOM - float(high[up]) / scale
             view = self._view(name, scale, (x0, y0), (0, up))
             views.append(view)
-            own = self._marks(view, (0, up), scale)
-            lines += [*own.leaders]
-            texts += own.texts
+            first = len(lines), len(texts)
             self._axes(lines, texts, (x0, y0), "xy" if up == 1 else "xz", low, scale, up)
             if up == 1:
                 angle = -style.site.rotation
@@ -181,6 +179,9 @@ class _Views:
                 more, words = north_arrow(right - 14.0, middle, angle, say("N"))
                 lines += more
                 texts += words
+            own = self._marks(view, (0, up), scale, lines[first[0] :], texts[first[1] :])
+            lines += own.leaders
+            texts += own.texts
             top = y0 + float(low[up]) / scale - LABEL_ROOM - 0.5 * spare
         marks = tuple(record.member for record in self.records)
         heading = say("plan and elevation")
@@ -198,9 +199,11 @@ class _Views:
                 )
         return View(name, float(scale), origin, tuple(polylines))
 
-    def _marks(self, view: View, plane, scale: int) -> Labels:
-        """Marks beyond an end of each axis, where there is room."""
-        lines = view.on_page()
+    def _marks(self, view: View, plane, scale: int, beside, words) -> Labels:
+        """Marks beyond an end of each axis, where there is room beside other lines and texts."""
+        boxes = [text_box(text) for text in words]
+        around = [Polyline(as_points(np.vstack([box, box[[0, 2]]]))) for box in boxes]
+        lines = [*view.on_page(), *beside, *around]
         segments = [
             np.stack([np.array(line.points[:-1]), np.array(line.points[1:])], axis=1)
             for line in lines

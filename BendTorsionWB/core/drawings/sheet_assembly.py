@@ -11,10 +11,19 @@ import numpy as np
 from ..finding import Finding
 from ..lofting import MemberRecord
 from .sheet import Table, Text, wrapped
+from .sheet_findings import finding_text
 from .sheet_overview import overview
 from .sheet_page import TEXT, Page, with_unit
 from .sheet_style import SheetStyle, fixed
-from .sheet_tables import ROW_HEIGHT, Listing, listing_pages, piece_table, widths_of, zone_table
+from .sheet_tables import (
+    ROW_HEIGHT,
+    Listing,
+    fold_table,
+    listing_pages,
+    piece_table,
+    widths_of,
+    zone_table,
+)
 
 GAP = 5.0
 DEGREES = 57.29577951308232
@@ -27,7 +36,8 @@ def assembly_pages(record: MemberRecord, name: str, heading: str, style: SheetSt
     listing = plate_listing(record, style)
     figures, notes, right_top = _figures(record, style)
     if form.is_small:
-        more = Page(say("figures"), texts=tuple(notes), tables=figures)
+        seats, words = _seats(record, form.left, form.top, form.right - form.left, style)
+        more = Page(say("figures"), texts=(*notes, *words), tables=(*figures, *seats))
         plates = listing_pages(say("plate list"), listing, style)
         return [_with_views(Page(heading), record, form.clear_bottom, style, name), more, *plates]
     rows, widths = listing.rows, listing.widths
@@ -54,8 +64,15 @@ def assembly_pages(record: MemberRecord, name: str, heading: str, style: SheetSt
             for k, line in enumerate(lines)
         ]
         left_top += 4.0 * len(lines)
+    seats, words = _seats(record, form.left, 0.0, room - 4.0, style)
+    if seats:
+        # Laid out downwards from 0, then put above the list of plates.
+        up = left_top + 2.0 - min(table.y - table.height for table in seats)
+        seats = [replace(table, y=table.y + up) for table in seats]
+        texts += [replace(text, y=text.y + up) for text in words]
+        left_top = up
     bottom = max(left_top + 2.0, right_top + 2.0)
-    page = Page(heading, texts=(*texts, *notes), tables=(*tables, *figures))
+    page = Page(heading, texts=(*texts, *notes), tables=(*tables, *seats, *figures))
     rest = replace(listing, rows=rows[columns * height :])
     page = _with_views(page, record, bottom, style, name)
     return [page, *listing_pages(say("plate list"), rest, style)]
@@ -76,6 +93,41 @@ def _with_views(
         lines=drawn.lines,
         texts=(*page.texts, *drawn.texts),
     )
+
+
+def _seats(
+    record: MemberRecord, x: float, top: float, room: float, style: SheetStyle
+) -> tuple[list[Table], list[Text]]:
+    """What a piece lies on while it is put together, downwards from a height: saddles side by side
+    with their places and the heights of their seats; the whole table is on the page of the bed."""
+    tables, texts, y = [], [], top
+    for bed in record.beds if len(record.pieces) < 2 else ():
+        title = style.say(
+            "Assembly bed {}: {} face down, heights above the floor, {}",
+            *(bed.name, style.say(bed.face), style.measured_in),
+        )
+        y -= 3.4
+        texts.append(Text(x, y, 2.5, title))
+        names = style.said(("saddle", "s", "height left", "height right"))
+        cells = [
+            (one.label, *map(style.measure, (one.s, one.left.place[2], one.right.place[2])))
+            for one in bed.saddles
+        ]
+        y -= 1.6
+        while cells:
+            # As many columns as there is room for.
+            count = len(cells)
+            while True:
+                header, *rows = zip(names, *cells[:count], strict=True)
+                widths = widths_of(header, rows)
+                if sum(widths) <= room or count == 1:
+                    break
+                count -= 1
+            align = "<" + ">" * count
+            tables.append(Table(x, y, widths, header, tuple(rows), align, ROW_HEIGHT, TEXT))
+            y -= tables[-1].height + 2.0
+            cells = cells[count:]
+    return tables, texts
 
 
 def plate_listing(record: MemberRecord, style: SheetStyle) -> Listing:
@@ -152,11 +204,18 @@ def _figures(
         texts.append(Text(x, y + 0.6, 2.5, say("Warnings ({})", len(warnings))))
         y += 6.0
     more = []
-    for table_of in (piece_table, zone_table):
+    for table_of in (piece_table, zone_table, fold_table):
         table = table_of(record, x, y, style)
-        if table is not None:
-            y += table.height + 2.0
-            more.append(table)
+        if table is None:
+            continue
+        beside = more[-1] if more else None
+        if beside and sum(beside.widths) + 4.0 + sum(table.widths) <= width:
+            # Beside the one before, their upper edges level, when it is no higher.
+            if table.height <= beside.height:
+                more.append(replace(table, x=x + sum(beside.widths) + 4.0, y=beside.y))
+                continue
+        y += table.height + 2.0
+        more.append(table)
     header = (say("member"), record.member, say("figure"), say("value"))
     widths = widths_of(header, rows)
     spare = max(0.0, width - sum(widths))
@@ -177,8 +236,7 @@ def _warning_lines(
     """Warnings wrapped to at most `most` lines; the last says how many are left out."""
     lines: list[str] = []
     for done, finding in enumerate(warnings):
-        text = finding.line().removeprefix("warning: ")
-        new = wrapped(text, TEXT, width)
+        new = wrapped(finding_text(finding, style), TEXT, width)
         room = most if done == len(warnings) - 1 else most - 1
         if len(lines) + len(new) > room:
             more = style.say("and {} more: see the Checks of results.xlsx", len(warnings) - done)

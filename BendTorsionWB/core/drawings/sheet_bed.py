@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..beds.bed_record import Bed
-from .sheet import Polyline, Table, Text, View, wrapped
+from ..beds.bed_record import Bed, Seat
+from .sheet import Polyline, Table, Text, View, text_width, wrapped
 from .sheet_labels import as_points
 from .sheet_overview import DRAWN_TOLERANCE, SCALES
 from .sheet_page import TEXT, Page
@@ -21,7 +21,11 @@ MOST_ROWS = 22
 LABEL = 2.5
 POST_OVERHANG = 80.0
 """mm; how far a saddle's bar is drawn beyond its seats."""
-HEADING, LABEL_ROOM, FIGURE_ROOM, GAP = 7.0, 9.0, 15.0, 4.0
+HEADING, LABEL_ROOM, FIGURE_ROOM, GAP = 7.0, 9.0, 16.5, 4.0
+FLOOR_ROOM = 20.0
+"""mm left and right of the views, for what is said of the floor."""
+PLAN, ELEVATION = ("Plan", 1, LABEL_ROOM), ("Elevation", 2, 0.0)
+"""Views: name, axis up, mm above for labels."""
 CLOSEST = 9.0
 """mm on paper between saddles below which their labels take turns in two rows."""
 
@@ -33,9 +37,9 @@ POINTS_HEADER = ("line", "corner", "s", "x", "y", "z", "bed x", "bed y", "bed z"
 PINS_HEADER = ("column", "row", "x", "y", "height", "tilt, °")
 POINTS_NOTE = (
     "x, y, z: model coordinates. bed x, y, z: on the bed, floor at 0. Outer corners of the "
-    "section at the member's stations and the piece's ends, mm."
+    "section at the member's stations and the piece's ends, {}."
 )
-PINS_NOTE = "x, y: on the bed. height: above the base of the pins. tilt: of the face there."
+PINS_NOTE = "x, y: on the bed, {}. height: above the base of the pins. tilt: of the face there."
 
 
 def seat_rows(bed: Bed, style: SheetStyle = PLAIN_STYLE) -> list[tuple[str, ...]]:
@@ -43,32 +47,32 @@ def seat_rows(bed: Bed, style: SheetStyle = PLAIN_STYLE) -> list[tuple[str, ...]
     return [
         (
             one.label,
-            fixed(one.s, 1),
-            *(fixed(value, 1) for value in one.left.place),
-            *(fixed(value, 1) for value in one.right.place),
+            style.measure(one.s),
+            *map(style.measure, one.left.place),
+            *map(style.measure, one.right.place),
             fixed(np.degrees(one.slope), 2),
             style.say(one.stop_side),
-            *(fixed(value, 1) for value in one.stop),
+            *map(style.measure, one.stop),
         )
         for one in bed.saddles
     ]
 
 
-def point_rows(bed: Bed) -> list[tuple[str, ...]]:
+def point_rows(bed: Bed, style: SheetStyle = PLAIN_STYLE) -> list[tuple[str, ...]]:
     """The table of control points."""
     return [
-        (p.line, p.corner, *(fixed(value, 1) for value in (p.s, *p.xyz, *p.bed)))
+        (p.line, p.corner, *map(style.measure, (p.s, *p.xyz, *p.bed)))
         for p in bed.points
     ]
 
 
-def pin_rows(bed: Bed) -> list[tuple[str, ...]]:
+def pin_rows(bed: Bed, style: SheetStyle = PLAIN_STYLE) -> list[tuple[str, ...]]:
     """The table of pins."""
     return [
         (
             str(pin.column),
             str(pin.row),
-            *(fixed(value, 1) for value in (pin.x, pin.y, pin.height)),
+            *map(style.measure, (pin.x, pin.y, pin.height)),
             fixed(np.degrees(pin.tilt), 2),
         )
         for pin in bed.pins
@@ -100,7 +104,7 @@ def bed_page(bed: Bed, style: SheetStyle = PLAIN_STYLE) -> Page:
             form.left, foot + height, widths, header, tuple(rows), align, ROW_HEIGHT, TEXT
         )
         tables.insert(0, seats)
-        title = say("Seats (mm, on the bed; heights above the floor)")
+        title = say("Seats ({}, on the bed; heights above the floor)", style.measured_in)
         texts.append(Text(form.left, seats.y + 1.2, LABEL, title))
         y = max(seats.y + 6.0, frame.y + 3.0 if clear else 0.0)
         if not clear:
@@ -138,23 +142,25 @@ HOW_BEDDED = {
 def _words(bed: Bed, style: SheetStyle) -> str:
     say = style.say
     words = say(
-        "Face {} lies down; bed by {}, its edges within ±{} mm. Plan seen from above; left is up. "
+        "Face {} lies down; bed by {}, its edges within ±{}. Plan seen from above; left is up. "
         "Bar: saddle with its seats; triangle: side stop at the lower seat. Elevation: heights of "
         "the left and the right seat above the floor. Templates: {}.",
         say(bed.face),
         say(HOW_BEDDED[bed.plane]),
-        fixed(bed.deviation, 1),
+        style.with_unit(bed.deviation),
         ", ".join(board.name for board in bed.templates),
     )
     if bed.pins:
-        words += " " + say("Pins (crosses): base {} above the floor.", fixed(bed.pin_base, 1))
+        words += " " + say(
+            "Pins (crosses): base {} above the floor.", style.with_unit(bed.pin_base)
+        )
     return words
 
 
 def _frame_table(bed: Bed, style: SheetStyle) -> Table:
     back, say, form = bed.to_model, style.say, style.page
     rows = (
-        (say("origin"), *(fixed(value, 2) for value in back[:3, 3])),
+        (say("origin, {}", style.measured_in), *(style.measure(v, 2) for v in back[:3, 3])),
         *(
             (say("{} axis", name), *(fixed(value, 8) for value in back[:3, k]))
             for k, name in enumerate("xyz")
@@ -175,31 +181,37 @@ def _views(bed: Bed, bottom: float, style: SheetStyle):
     everything = np.concatenate([*bed.lines.values(), bed.face_edges.reshape(-1, 3)])
     low, high = everything.min(axis=0), everything.max(axis=0)
     low[2] = min(low[2], 0.0)
-    room = form.top - bottom - 2 * (HEADING + FIGURE_ROOM) - LABEL_ROOM - GAP
+    figures = (_height_text(*seat, style) for one in bed.saddles for seat in _seats_of(one))
+    figure_room = max(FIGURE_ROOM, *(text_width(text, TEXT) + 2.5 for text in figures))
+    room = form.top - bottom - 2 * (HEADING + figure_room) - LABEL_ROOM - GAP
     for scale in SCALES:
         size = (high - low) / scale
-        if size[0] <= form.right - form.left - 24.0 and size[1] + size[2] <= room:
+        if size[0] <= form.right - form.left - 2 * FLOOR_ROOM and size[1] + size[2] <= room:
             break
     spare = max(0.0, room - float(size[1] + size[2]))
     x0 = 0.5 * (form.left + form.right) - 0.5 * float(low[0] + high[0]) / scale
-    # In third angle the plan stands above the elevation as well: what lies flat is seen first.
-    top = form.top - HEADING - LABEL_ROOM - 0.3 * spare
-    plan = (x0, top - float(high[1]) / scale)
+    y = form.top
+    places, heads = {}, {}
+    # Below each view stand figures, above the plan the names of saddles.
+    for name, axis, above in (ELEVATION, PLAN) if style.first_angle else (PLAN, ELEVATION):
+        heads[name] = y - 4.5
+        y -= HEADING + above + 0.3 * spare
+        places[name] = (x0, y - float(high[axis]) / scale)
+        y = places[name][1] + float(low[axis]) / scale - figure_room - GAP
+    plan, side = places["Plan"], places["Elevation"]
     foot = plan[1] + float(low[1]) / scale
-    top = foot - FIGURE_ROOM - GAP - HEADING - 0.3 * spare
-    side = (x0, top - float(high[2]) / scale)
     views = (
         View("Plan", float(scale), plan, _polylines(bed, (0, 1), scale)),
         View("Elevation", float(scale), side, _polylines(bed, (0, 2), scale)),
     )
-    head = top + 3.0
     title = style.say("{} on its bed: plan", bed.name)
+    beside = style.say("{} on its bed: elevation", bed.name)
     texts = [
-        Text(form.left, form.top - 4.5, 3.5, f"{title}  1:{scale}"),
-        Text(form.left, head, 3.5, f"{style.say('Elevation')}  1:{scale}"),
+        Text(form.left, heads["Plan"], 3.5, f"{title}  1:{scale}"),
+        Text(form.left, heads["Elevation"], 3.5, f"{beside}  1:{scale}"),
     ]
     lines: list[Polyline] = []
-    _plan_figures(bed, scale, plan, float(high[1]), foot, lines, texts)
+    _plan_figures(bed, scale, plan, float(high[1]), foot, lines, texts, style)
     _side_figures(bed, scale, side, low, high, lines, texts, style)
     return scale, views, tuple(lines), tuple(texts)
 
@@ -220,7 +232,7 @@ def _polylines(bed: Bed, plane: tuple[int, int], scale: float) -> tuple[Polyline
     return tuple(lines)
 
 
-def _plan_figures(bed: Bed, scale, origin, high, foot, lines, texts) -> None:
+def _plan_figures(bed: Bed, scale, origin, high, foot, lines, texts, style) -> None:
     """Saddle bars, stops, pins, labels above and places along x below the plan."""
     x0, y0 = origin
     places = [x0 + 0.5 * (o.left.place[0] + o.right.place[0]) / scale for o in bed.saddles]
@@ -239,12 +251,12 @@ def _plan_figures(bed: Bed, scale, origin, high, foot, lines, texts) -> None:
         lines.append(Polyline(as_points(np.array([right - beyond, left + beyond])), "wide"))
         lines += [_ring(seat, 0.7) for seat in (left, right)]
         lines.append(_triangle(np.array([x0, y0]) + one.stop[:2] / scale, left - right, one))
-        level = y0 + high / scale + 2.5 + (3.6 if crowded and k % 2 else 0.0)
+        level = y0 + high / scale + 2.9 + (3.6 if crowded and k % 2 else 0.0)
         texts.append(Text(float(left[0]), level, LABEL, one.label, anchor="middle"))
-        lines.append(Polyline(((float(left[0]), level - 0.6), as_points((left + beyond)[None])[0])))
+        lines.append(Polyline(((float(left[0]), level - 1.2), as_points((left + beyond)[None])[0])))
         low = foot - 1.5
         lines.append(Polyline((as_points((right - beyond)[None])[0], (float(right[0]), low))))
-        place = fixed(one.right.place[0], 0)
+        place = style.length(one.right.place[0], 0)
         texts.append(Text(float(right[0]) + 0.7, low - 0.8, TEXT, f"x {place}", 90.0, "end"))
 
 
@@ -257,7 +269,8 @@ def _side_figures(bed: Bed, scale, origin, low, high, lines, texts, style) -> No
             "wide",
         )
     )
-    texts.append(Text(x0 + low[0] / scale - 6.0, z0 + 0.8, TEXT, style.say("floor 0")))
+    # Left of the floor line, clear of the posts.
+    texts.append(Text(x0 + low[0] / scale - 7.0, z0 - 0.9, TEXT, style.say("floor 0"), 0.0, "end"))
     for one in bed.saddles:
         places = []
         for seat, dash in ((one.left, "medium"), (one.right, "dashed")):
@@ -266,9 +279,17 @@ def _side_figures(bed: Bed, scale, origin, low, high, lines, texts, style) -> No
             places.append(x)
         # Two figures side by side below the floor, at the middle of their posts.
         middle = 0.5 * (places[0] + places[1])
-        for shift, seat, name in ((-0.3, one.left, "left"), (2.5, one.right, "right")):
-            text = f"{style.say(name)} {fixed(seat.place[2], 1)}"
+        for shift, (seat, name) in zip((-0.3, 2.5), _seats_of(one), strict=True):
+            text = _height_text(seat, name, style)
             texts.append(Text(middle + shift, z0 - 1.2, TEXT, text, 90.0, "end"))
+
+
+def _seats_of(saddle) -> tuple[tuple[Seat, str], ...]:
+    return (saddle.left, "left"), (saddle.right, "right")
+
+
+def _height_text(seat: Seat, name: str, style: SheetStyle) -> str:
+    return f"{style.say(name)} {style.length(seat.place[2])}"
 
 
 def _ring(centre, radius: float) -> Polyline:

@@ -61,6 +61,6 @@ def _label_outside(labels: Labels, label: str, start: np.ndarray, outline: np.nd
             if abs(edge - start[1]) > 0.5 and label_beyond(labels, label, end, far):
                 leader = np.array([start, end])
                 labels.leaders.append(Polyline(as_points(leader), "narrow"))
-                labels.segments = np.concatenate([labels.segments, leader[None]])
+                labels.keep_off(leader[None])
                 return True
     return False

@@ -17,8 +17,10 @@ TIERS = (
     13.2,
     16.2,
 )  # mm from a line's end to its label; beyond the first with a leader
-SLANTS = (4.0, -4.0, 8.0, -8.0, 12.0, -12.0)  # mm a label on a leader may stand aside
+SLANTS = (4.0, -4.0, 8.0, -8.0, 12.0, -12.0, 18.0, -18.0)  # mm a label on a leader may stand aside
 WORD_SPACE = 0.5  # mm kept free before and behind a label, beyond the clearance
+MOST_CROWDED = 6
+"""Labels without room after which no more slanting leaders are tried on a drawing."""
 ALONG = (0.5, 0.36, 0.64, 0.22, 0.78, 0.1, 0.9)  # of a line's length, where its label may stand
 
 
@@ -28,14 +30,29 @@ def as_points(array: np.ndarray) -> tuple[tuple[float, float], ...]:
 
 
 class Labels:
-    """Texts placed so far, and the segments they must not cross."""
+    """Texts placed so far, and the segments they must not cross; crowded: how many found no room
+    beyond a line's end."""
 
     def __init__(self, segments: np.ndarray):
-        self.segments = segments
+        self.segments = np.zeros((0, 2, 2))
+        self._low = self._high = np.zeros((0, 2))
+        self.keep_off(segments)
         self.texts: list[Text] = []
         self.boxes: list[np.ndarray] = []
         self.bounds: list[tuple[float, float, float, float]] = []
         self.leaders: list[Polyline] = []
+        self.crowded = 0
+
+    def keep_off(self, segments: np.ndarray) -> None:
+        """Have no further text cross these segments (n, 2, 2)."""
+        self.segments = np.concatenate([self.segments, segments])
+        self._low = np.concatenate([self._low, segments.min(axis=1)])
+        self._high = np.concatenate([self._high, segments.max(axis=1)])
+
+    def _near(self, low: np.ndarray, high: np.ndarray) -> np.ndarray:
+        """The segments that come near a box given by its lower left and upper right corner."""
+        near = (self._low < high + CLEARANCE) & (self._high > low - CLEARANCE)
+        return self.segments[near[:, 0] & near[:, 1]]
 
     def put(self, text: Text, leader: np.ndarray | None = None) -> bool:
         """Take the text, and its leader (2, 2), as placed; False when they touch anything."""
@@ -52,7 +69,7 @@ class Labels:
             )
             if not apart and boxes_overlap(box, other, CLEARANCE):
                 return False
-        if _crossed(text_box(text), self.segments, CLEARANCE):
+        if _crossed(text_box(text), self._near(box.min(axis=0), box.max(axis=0)), CLEARANCE):
             return False
         if leader is not None:
             (x0, y0), (x1, y1) = leader.min(axis=0) - 0.1, leader.max(axis=0) + 0.1
@@ -61,7 +78,7 @@ class Labels:
                 if not apart and _crossed(other, leader[None], 0.1):
                     return False
             self.leaders.append(Polyline(as_points(leader), "narrow"))
-            self.segments = np.concatenate([self.segments, leader[None]])
+            self.keep_off(leader[None])
         self.texts.append(text)
         self.boxes.append(box)
         self.bounds.append(bound)
@@ -108,18 +125,21 @@ def label_beyond(labels: Labels, label: str, end: np.ndarray, far: np.ndarray) -
     reach = float(np.abs(away) @ half) if abs(away[0]) > 0.5 else half[1] / abs(away[1])
     level = abs(away[0]) > 0.5
     for gap in TIERS:
-        for side in (0.0, -half[0], half[0]) if gap == TIERS[0] else (0.0,):
+        for side in (0.0, -half[0], half[0]) if gap == TIERS[0] and not level else (0.0,):
             middle = end + away * (gap + reach) + (side, 0.0)
             leader = np.array([end + away * 0.5, end + away * (gap - 0.2)])
             if labels.put(_about(middle, label), leader if gap > TIERS[0] else None):
                 return True
+    if labels.crowded >= MOST_CROWDED:
+        return False
     # No room straight on: a slanting leader.
-    for gap in TIERS[1:4]:
+    for gap in TIERS[1:]:
         for side in SLANTS:
             middle = end + away * (gap + reach) + ((0.0, side) if level else (side, 0.0))
             way = np.sign(away) * (half + 0.3) * ((1.0, 0.0) if level else (0.0, 1.0))
             if labels.put(_about(middle, label), np.array([end + away * 0.5, middle - way])):
                 return True
+    labels.crowded += 1
     return False
 
 

@@ -24,6 +24,7 @@ from .sheet_bed import (
     seat_rows,
     seats_shown,
 )
+from .sheet_findings import finding_text
 from .sheet_page import Page, finished, subject_of
 from .sheet_plate import plate_pages
 from .sheet_section import section_pages
@@ -59,7 +60,7 @@ def _error_page(record: MemberRecord, style: SheetStyle) -> Page:
         texts.append(Text(form.left, y, 7.0, line))
         y -= 14.0
     for finding in record.findings:
-        for line in wrapped(finding.line(), 2.5, form.right - form.left):
+        for line in wrapped(finding_text(finding, style), 2.5, form.right - form.left):
             if y < form.clear_bottom:
                 break
             texts.append(Text(form.left, y, 2.5, line))
@@ -113,7 +114,7 @@ def piece_record(record: MemberRecord, own: PieceFigures) -> MemberRecord:
         zones=zones,
         centre_of_gravity=own.centre_of_gravity,
         painted_area=None,
-        beds=(),
+        beds=tuple(bed for bed in record.beds if bed.piece == piece.number),
         pieces=(),
         welds=tuple(weld for weld in record.welds if weld.piece == piece.number),
         controls=tuple(one for one in record.controls if one.piece == piece.number),
@@ -152,12 +153,13 @@ def _bed_pages(record: MemberRecord, style: SheetStyle) -> list[Page]:
                 "<" + ">" * 8 + "<>>>",
                 "",
             ),
-            ("control points", POINTS_HEADER, point_rows(bed), "<<" + ">" * 7, POINTS_NOTE),
-            ("pins", PINS_HEADER, pin_rows(bed), ">" * 6, PINS_NOTE),
+            ("control points", POINTS_HEADER, point_rows(bed, style), "<<" + ">" * 7, POINTS_NOTE),
+            ("pins", PINS_HEADER, pin_rows(bed, style), ">" * 6, PINS_NOTE),
         )
         pages.append(bed_page(bed, style))
         for what, header, rows, align, note in tables:
             heading = say("bed {}: {}", bed.name, say(what))
             listing = Listing("", style.said(header), tuple(rows), align)
-            pages += listing_pages(heading, listing, style, say(note) if note else "")
+            words = say(note, style.measured_in) if note else ""
+            pages += listing_pages(heading, listing, style, words)
     return pages

@@ -11,12 +11,14 @@ import numpy as np
 from ..lofting import DevelopedPlate, MemberRecord
 from ..nodes.node_ends import PlateEnd, axis_at, plate_ends
 from ..nodes.node_record import FlangeStep, NodeRecord
+from ..welds.weld_record import Weld
 from .sheet import Sheet, Text, wrapped
 from .sheet_node_view import Joining, node_views, spread_out
 from .sheet_pack import packed
 from .sheet_page import TEXT, Page, Subject, finished
 from .sheet_style import PLAIN_STYLE, SheetStyle, fixed
 from .sheet_tables import ROW_HEIGHT, TITLE_ROOM, Listing, table_blocks
+from .sheet_weld import kind_letters, symbol_blocks, weld_kind
 
 BRANCHES = (
     "branch", "s", "s of through", "angle, °", "axes apart", "type", "root gap", "stub", "lands on",
@@ -27,7 +29,7 @@ STEPS = (
 )  # fmt: skip
 ENDS = ("plate", "end", "side of node", "t", "cut length", "bevel, °", "dihedral, °", "on face")
 DIAPHRAGMS = ("diaphragm", "t", "length", "width", "mass, kg")
-WELDS = ("weld", "plates", "length", "preparation", "place")
+WELDS = ("weld", "cut / on", "t", "length", "dihedral, °", "symbol", "groove, °", "gap", "place")
 NOTE = (
     "Views show plates by the edges of their outer faces; broken: diaphragms; wide: cuts at the "
     "node. Side of node: before or behind it along the branch. Step: of the branch's face over "
@@ -36,6 +38,8 @@ NOTE = (
     "longer. Dihedral: between plate and face on the inner side."
 )
 SMALLEST_ROWS = 8
+FIRST_TABLES = 4
+"""Tables of the branches and their ends, that stand together."""
 
 
 def node_sheets(
@@ -97,11 +101,17 @@ def node_pages(
     area = (form.left, bottom, form.right, form.top)
     most = int((area[3] - area[1] - TITLE_ROOM) // ROW_HEIGHT) - 1
     rows = most if form.is_small else max(SMALLEST_ROWS, most // 3)
+    given = listings(through, joinings, style)
     tables = [
-        block
-        for listing in listings(through, joinings, style)
-        for block in table_blocks(listing, rows, say("continued"))
+        [
+            block
+            for listing in part
+            for block in table_blocks(listing, _even(len(listing.rows), rows), say("continued"))
+        ]
+        for part in (given[:FIRST_TABLES], given[FIRST_TABLES:])
     ]
+    welds = _of_node(through, joinings)
+    symbols = symbol_blocks(welds, kind_letters(welds), style)
     node = joinings[0].node
     marks = tuple(end.plate.mark for own in joinings for end in own.ends)
     marks += tuple(plate.mark for plate in inside(through, joinings))
@@ -116,8 +126,15 @@ def node_pages(
             (*(text for block in page for text in block.texts), *notes),
             tuple(table for block in page for table in block.tables),
         )
-        for page in packed([spread_out(views, area[2] - area[0]), tables], area)
+        for page in packed(
+            [spread_out(views, area[2] - area[0]), tables[0], [*tables[1], *symbols]], area
+        )
     ]
+
+
+def _even(count: int, most: int) -> int:
+    """Rows of each part of a table that is parted so that none has more than `most`."""
+    return -(-count // -(-count // most))
 
 
 def inside(through: MemberRecord, joinings: Sequence[Joining]) -> list[DevelopedPlate]:
@@ -142,6 +159,8 @@ def listings(
 ) -> list[Listing]:
     """The tables of a node, those with rows."""
     say, node = style.say, joinings[0].node
+    welds = _of_node(through, joinings)
+    letters = kind_letters(welds)
     title = say("Node {}: {}, {} runs through", node.node, say(node.kind), through.member)
     digits = 3 if style.site.unit == "m" else 1
     model = np.array([node.x, node.y, node.z])
@@ -182,7 +201,12 @@ def listings(
             ),
             "<>>>>",
         ),
-        Listing(say("Welds"), style.said(WELDS), _welds(joinings, style), "<<><<"),
+        Listing(
+            say("Welds"),
+            style.said(WELDS),
+            tuple(_weld(weld, letters[weld_kind(weld)], style) for weld in welds),
+            "<<>>><>><",
+        ),
     ]
     return [listing for listing in found if listing.rows]
 
@@ -242,7 +266,7 @@ def _end(end: PlateEnd, style: SheetStyle) -> tuple[str, ...]:
 
 def _faces(names: str, style: SheetStyle) -> str:
     """The names of faces joined by `and`, in the style's language."""
-    return " + ".join(style.say(name) for name in names.split(" and "))
+    return " + ".join(_on(name, style) for name in names.split(" and "))
 
 
 def _range(angles: np.ndarray) -> str:
@@ -251,23 +275,38 @@ def _range(angles: np.ndarray) -> str:
     return low if low == high else f"{low} … {high}"
 
 
-def _welds(joinings: Sequence[Joining], style: SheetStyle) -> tuple[tuple[str, ...], ...]:
-    """The welds across plates that end at the node, such as the field joints of stubs."""
-    rows = []
+def _of_node(through: MemberRecord, joinings: Sequence[Joining]) -> list[Weld]:
+    """The welds of plates that end at the node, the field joints of its stubs, and those of the
+    diaphragms inside."""
+    found = []
     for own in joinings:
         marks = {end.plate.mark for end in own.ends}
         for weld in own.record.welds:
-            if weld.kind in ("seam", "lane") or marks.isdisjoint(weld.plates):
-                continue
-            if weld.kind == "joint" and own.node.type != "stub":
-                continue
-            rows.append(
-                (
-                    weld.mark,
-                    ", ".join(weld.plates),
-                    style.length(weld.length),
-                    weld.prep.name,
-                    style.say(weld.place),
-                )
-            )
-    return tuple(rows)
+            at_node = weld.kind == "node" and weld.name == own.node.node
+            at_stub = weld.kind == "joint" and own.node.type == "stub"
+            if at_node or (at_stub and not marks.isdisjoint(weld.plates)):
+                found.append(weld)
+    marks = {plate.mark for plate in inside(through, joinings)}
+    found += [w for w in through.welds if w.kind == "diaphragm" and w.plates[0] in marks]
+    return found
+
+
+def _weld(weld: Weld, letter: str, style: SheetStyle) -> tuple[str, ...]:
+    prep = weld.prep
+    return (
+        weld.mark,
+        " / ".join(_on(text, style) for text in weld.plates),
+        "/".join(dict.fromkeys(f"{t:g}" for t in weld.thickness)),
+        style.length(weld.length),
+        fixed(math.degrees(weld.dihedral), 1),
+        letter,
+        f"{math.degrees(prep.angle):g}" if prep.is_cut else "–",
+        style.length(prep.gap) if prep.gap else "–",
+        style.say(weld.place),
+    )
+
+
+def _on(text: str, style: SheetStyle) -> str:
+    """A plate by its mark, a face of another member in the style's language."""
+    member, _, face = text.rpartition(" ")
+    return f"{member} {style.say(face)}" if member else style.say(text)

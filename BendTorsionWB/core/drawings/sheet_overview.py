@@ -108,7 +108,7 @@ def overview(
                 [
                     _Place(text, ((point - origin) @ frame.T)[axes])
                     for text, point, face in places
-                    if not face or (face in PLAN_FACES) == (heading == "Plan")
+                    if (face in PLAN_FACES) == (heading == "Plan")
                 ]
                 + ([] if centre is None else [_Place(style.say("CG"), centre[axes])]),
                 None if centre is None else centre[axes],
@@ -181,17 +181,30 @@ def _places(record: MemberRecord, style: SheetStyle) -> list[tuple[str, np.ndarr
             one = found.setdefault(key, ([], s, ends.mean(axis=0), plate.face))
             if plate.letter not in one[0]:
                 one[0].append(plate.letter)
-    places = [
-        (f"{','.join(letters)} {style.length(s)}", point, face)
-        for letters, s, point, face in found.values()
-    ]
+    # Control sections are named with what lies there, or on their own.
+    cuts = {int(round(10.0 * one.s)): one for one in record.controls}
+    places, named = [], set()
+    for (plan, key), (letters, s, point, face) in found.items():
+        cut = cuts.get(key)
+        named |= {(plan, key)} if cut else set()
+        text = f"{cut.label} {','.join(letters)}" if cut else ",".join(letters)
+        places.append((f"{text} {style.length(s)}", point, face))
     axis = record.wireframe.get("axis")
-    if axis is not None and record.zones:
-        step = np.sqrt((np.diff(axis, axis=0) ** 2).sum(axis=1))
-        s = record.zones[0].start + np.concatenate([[0.0], np.cumsum(step)])
-        for zone in record.zones[1:]:
-            point = np.array([np.interp(zone.start, s, axis[:, k]) for k in range(3)])
-            places.append((f"{zone.label} {style.length(zone.start)}", point, ""))
+    if axis is None:
+        return places
+    step = np.sqrt((np.diff(axis, axis=0) ** 2).sum(axis=1))
+    begin = record.zones[0].start if record.zones else 0.0
+    s = begin + np.concatenate([[0.0], np.cumsum(step)])
+    others = [(zone.label, zone.start, int(round(10.0 * zone.start))) for zone in record.zones[1:]]
+    zones = {key for _, _, key in others}
+    others += [("", one.s, key) for key, one in cuts.items() if key not in zones]
+    for label, at, key in others:
+        point = np.array([np.interp(at, s, axis[:, k]) for k in range(3)])
+        for plan, face in ((True, PLAN_FACES[0]), (False, "left")):
+            cut = None if (plan, key) in named else cuts.get(key)
+            words = " ".join(word for word in (cut.label if cut else "", label) if word)
+            if words:
+                places.append((f"{words} {style.length(at)}", point, face))
     return places
 
 

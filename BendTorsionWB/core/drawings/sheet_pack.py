@@ -13,7 +13,8 @@ GAP = 5.0
 
 @dataclass(frozen=True)
 class Block:
-    """A laid out part of a page. box: (left, bottom, right, top), mm about its own origin."""
+    """A laid out part of a page. box: (left, bottom, right, top), mm about its own origin;
+    left_out: labels that found no room."""
 
     mark: str
     views: tuple[View, ...]
@@ -21,6 +22,7 @@ class Block:
     texts: tuple[Text, ...]
     box: tuple[float, float, float, float]
     tables: tuple[Table, ...] = ()
+    left_out: int = 0
 
     @property
     def size(self) -> tuple[float, float]:

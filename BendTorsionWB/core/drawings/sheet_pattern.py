@@ -7,24 +7,34 @@ A block is laid out around the pattern's own origin (the lower left corner of it
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 
 from ..lofting import DevelopedPlate, StationLine
 from ..patterns.forming import fold_direction
 from ..patterns.forming_record import FormingRecord
+from ..welds.bevel_record import EdgeBevel
 from .sheet import Polyline, Text, View, text_box, text_width, wrapped
 from .sheet_inner import hole_middle, label_inner
 from .sheet_labels import LABEL_HEIGHT, Labels, as_points, label_along, label_beyond
 from .sheet_pack import Block
 from .sheet_style import PLAIN_STYLE, SheetStyle, fixed
 
+FORMING_RULES = {
+    "flat_within": "out of flat",
+    "cold_radius_mild": "radius",
+    "cold_radius_low_alloy": "radius",
+    "membrane_yield": "membrane stress",
+    "elastic_stress": "bending stress",
+    "fold_without_press": "fold angle",
+}
+"""What the rules that decide how a plate is formed look at."""
 CAPTION_HEIGHT = 2.5
 MARK_HEIGHT = 3.5
 CAPTION_ROOM = 120.0
 """mm; width of the caption at least."""
 CAPTION_ROW = 3.2
+SAME_PLACE = 1.0
+"""mm along the axis; stretches of bevels that share less with two stations are not theirs."""
 DRAWN_TOLERANCE = 0.01  # mm on paper between a curve and its drawn polyline
 
 
@@ -59,14 +69,11 @@ def _is_curved(line: StationLine) -> bool:
 
 
 def pattern_block(
-    plate: DevelopedPlate,
-    scale: float,
-    style: SheetStyle = PLAIN_STYLE,
-    preps: Mapping[str, str] | None = None,
+    plate: DevelopedPlate, scale: float, style: SheetStyle = PLAIN_STYLE, part: str = ""
 ) -> Block:
-    """The plate's pattern at 1:scale with caption, labels, folds and overall dimensions.
+    """The plate's pattern at 1:scale with caption, labels, folds, bevels and overall dimensions.
 
-    preps: how its edges are cut, by `E-1`, `E-2` and the names of its long edges.
+    part: what a detail of it shows, in place of the caption; it has no origin and no dimensions.
     """
     say = style.say
     corner = np.concatenate(plate.outline).min(axis=0)
@@ -101,7 +108,7 @@ def pattern_block(
     curves = [*outline, *inner, *marked]
     edges = np.concatenate([np.stack([run[:-1], run[1:]], axis=1) for run in curves])
     rulings = np.array(stations + folds + rolled).reshape(-1, 2, 2)
-    crosses = _cross(np.zeros(2), 1.6)
+    crosses = [] if part else _cross(np.zeros(2), 1.6)
     for point in plate.points:
         if point.kind == "witness":
             crosses += _cross((np.asarray(point.flat, float) - corner) / scale, 0.5)
@@ -127,25 +134,38 @@ def pattern_block(
         )
     left_out += _label_points(plate, labels, corner, scale)
     left_out += label_inner(plate, labels, corner, scale, say("at"))
-    for line, ends in zip(plate.lines, stations, strict=True):
+    left_out += _label_bevels(plate, labels, stations, scale, middle, style)
+    # End lines first, with how they are cut.
+    order = sorted(range(len(stations)), key=lambda k: not plate.lines[k].label.startswith("E-"))
+    for line, ends in ((plate.lines[k], stations[k]) for k in order):
         if line.label in named:
             continue
         outer = middle if line.label.startswith("E-") else None
+        text = _line_text(plate, line.label, style)
         left_out += not (
-            label_along(labels, line.label, ends / scale, outer)
-            or label_beyond(labels, line.label, ends[0] / scale, ends[1] / scale)
-            or label_beyond(labels, line.label, ends[1] / scale, ends[0] / scale)
+            label_along(labels, text, ends / scale, outer)
+            or (outer is not None and label_beyond(labels, text, ends.mean(axis=0) / scale, outer))
+            or label_beyond(labels, text, ends[0] / scale, ends[1] / scale)
+            or label_beyond(labels, text, ends[1] / scale, ends[0] / scale)
         )
-    _label_edges(plate, labels, stations, scale, middle, preps or {})
     # Radii stand where there is room; all are in the forming tables.
     for roll, ends in zip(rolls, rolled, strict=True):
-        label_along(labels, roll.text(), ends / scale, None)
+        left_out += not (
+            label_along(labels, roll.text(), ends / scale, None)
+            or label_along(labels, roll.label, ends / scale, None)
+            or label_beyond(labels, roll.label, ends[0] / scale, ends[1] / scale)
+            or label_beyond(labels, roll.label, ends[1] / scale, ends[0] / scale)
+        )
     lines = [*labels.leaders, *crosses]
     bounds = np.array([*labels.bounds, (0.0, 0.0, *(size / scale))])
     low, high = bounds[:, :2].min(axis=0), bounds[:, 2:].max(axis=0)
     dimensions, figures = _dimensions(size, scale, low[1] - 5.5, high[0] + 5.5, style)
     left, room = min(low[0], 0.0), max(size[0] / scale, CAPTION_ROOM)
-    caption = _caption(plate, left_out, left, high[1] + 3.0, room, style)
+    if part:
+        dimensions, figures = [], []
+        caption = _detail_caption(plate, part, scale, left_out, left, high[1] + 3.0, style)
+    else:
+        caption = _caption(plate, left_out, left, high[1] + 3.0, room, style)
     texts = (*labels.texts, *figures, *caption)
     boxes = np.array([[*text_box(text).min(axis=0), *text_box(text).max(axis=0)] for text in texts])
     box = (
@@ -154,21 +174,56 @@ def pattern_block(
         float(max(boxes[:, 2].max(), high[0] + 7.0)),
         float(boxes[:, 3].max()),
     )
-    view = View(plate.mark, float(scale), (0.0, 0.0), polylines)
-    return Block(plate.mark, (view,), (*lines, *dimensions), texts, box)
+    name = f"{plate.mark} {part}" if part else plate.mark
+    view = View(name, float(scale), (0.0, 0.0), polylines)
+    return Block(plate.mark, (view,), (*lines, *dimensions), texts, box, left_out=left_out)
 
 
-def _label_edges(plate, labels: Labels, stations, scale: float, middle, preps) -> None:
-    """How edges are cut, beside them where there is room; all of it is in the table of edges."""
+def _line_text(plate: DevelopedPlate, label: str, style: SheetStyle) -> str:
+    """The label of a line, of an end with its bevels."""
+    bevels = dict.fromkeys(bevel_text(b, style) for b in plate.bevels if b.edge == label)
+    return f"{label} {', '.join(bevels)}" if bevels else label
+
+
+def _label_bevels(
+    plate: DevelopedPlate, labels: Labels, stations, scale: float, middle, style: SheetStyle
+) -> int:
+    """How each stretch of the long edges is cut, beside it; the number that found no room."""
     if len(stations) < 2:
-        return
-    places = {"E-1": stations[0], "E-2": stations[-1]}
-    half = (len(stations) - 1) // 2
-    for side, edge in enumerate(plate.edges):
-        places[edge.edge] = np.array([stations[half][side], stations[half + 1][side]])
-    for edge, text in preps.items():
-        if edge in places:
-            label_along(labels, text, places[edge] / scale, middle)
+        return 0
+    left_out = 0
+    s = np.array([line.s for line in plate.lines])
+    along = np.array(stations) / scale
+    for bevel in plate.bevels:
+        if bevel.side not in ("first", "second"):
+            continue
+        text, edge = bevel_text(bevel, style), along[:, 0 if bevel.side == "first" else 1]
+        # Pairs of stations in the stretch, those about its middle first.
+        centre = 0.5 * (bevel.start + bevel.end)
+        inside = [
+            k
+            for k in range(len(s) - 1)
+            if s[k] < bevel.end - SAME_PLACE and s[k + 1] > bevel.start + SAME_PLACE
+        ]
+        inside.sort(key=lambda k: abs(0.5 * (s[k] + s[k + 1]) - centre))
+        places = [edge[k : k + 2] for k in inside]
+        left_out += not (
+            any(label_along(labels, text, place, middle) for place in places)
+            or any(label_beyond(labels, text, place.mean(axis=0), middle) for place in places)
+        )
+    return left_out
+
+
+def bevel_text(bevel: EdgeBevel, style: SheetStyle) -> str:
+    """The grooves of an edge by their angle against square, or its tilt where none is cut."""
+    angles = [
+        f"{fixed(np.degrees(angle), 1).removesuffix('.0')}° {style.say(side)}"
+        for (angle, depth), side in ((bevel.outer, "outside"), (bevel.inner, "inside"))
+        if depth
+    ]
+    if not angles:
+        angles = [f"{fixed(np.degrees(bevel.natural), 1)}°"]
+    return f"{style.say('bevel')} {' / '.join(angles)}"
 
 
 def _label_points(plate: DevelopedPlate, labels: Labels, corner, scale: float) -> int:
@@ -215,9 +270,16 @@ def _dimensions(
         *(Polyline(((end - 1.0, y - 1.0), (end + 1.0, y + 1.0)), "medium") for end in (0, length)),
         *(Polyline(((x - 1.0, end - 1.0), (x + 1.0, end + 1.0)), "medium") for end in (0, width)),
     ]
+    figures = [style.length(size[0]), style.length(size[1])]
+    across, up = (text_width(figure, CAPTION_HEIGHT) + 2.0 for figure in figures)
+    low = y - 0.5 * CAPTION_HEIGHT
     texts = [
-        Text(length / 2.0, y + 0.9, CAPTION_HEIGHT, style.length(size[0]), anchor="middle"),
-        Text(x - 0.9, width / 2.0, CAPTION_HEIGHT, style.length(size[1]), 90.0, "middle"),
+        Text(length / 2.0, y + 0.9, CAPTION_HEIGHT, figures[0], anchor="middle")
+        if across <= length
+        else Text(length + 2.5, low, CAPTION_HEIGHT, figures[0]),
+        Text(x - 0.9, width / 2.0, CAPTION_HEIGHT, figures[1], 90.0, "middle")
+        if up <= width
+        else Text(x + 2.5, width / 2.0 - 0.5 * CAPTION_HEIGHT, CAPTION_HEIGHT, figures[1]),
     ]
     return lines, texts
 
@@ -227,21 +289,17 @@ def _caption(
 ) -> list[Text]:
     """Mark and plate above the pattern in large, what else the shop asks of it below them."""
     say, gross = style.say, plate.gross
-    size = f"{style.length(plate.length)} × {style.length(plate.width)}"
+    cut = plate if gross is None else gross
     parts = [
-        say("net {}", size),
-        say("{} kg", fixed(plate.mass, 1)),
-        say("gross {}", size)
-        if gross is None
-        else say("gross {}", f"{style.length(gross.length)} × {style.length(gross.width)}"),
-        say("{} kg", fixed(plate.mass if gross is None else gross.mass, 1)),
+        say("net {}, {} kg", style.size(plate.length, plate.width), fixed(plate.mass, 1)),
+        say("gross {}, {} kg", style.size(cut.length, cut.width), fixed(cut.mass, 1)),
         say("quantity {}", plate.quantity),
         say("part {}", plate.part) if plate.part != plate.mark else "",
         say("opposite hand of {}", plate.opposite_hand) if plate.opposite_hand else "",
         say("face {}", say(plate.face)),
-        say("marking face: {}, seen from there", say(plate.marking_face)),
+        say("marking face: {}, up", say(plate.marking_face)),
         say("rolling direction along u"),
-        say("labels left out: {}, see the tables", left_out) if left_out else "",
+        _left_out(left_out, style),
     ]
     lines = wrapped("; ".join(part for part in parts if part), LABEL_HEIGHT, room)
     if plate.forming_data is not None:
@@ -253,7 +311,7 @@ def _caption(
     top = y + CAPTION_ROW * len(lines) + 0.6
     start = x + text_width(plate.mark, MARK_HEIGHT) + 5.0
     # Stock is ordered by its exact thickness, which sixteenths of an inch would not tell.
-    stock = f"PL {plate.thickness:g}" + (" mm" if style.unit == "ft-in" else "")
+    stock = f"PL {plate.thickness:g} mm"
     return [
         Text(x, top, MARK_HEIGHT, plate.mark),
         Text(start, top, CAPTION_HEIGHT, f"{stock}  {plate.material}".rstrip()),
@@ -261,11 +319,29 @@ def _caption(
     ]
 
 
+def _detail_caption(
+    plate: DevelopedPlate, part: str, scale: float, left_out: int, x: float, y: float, style
+) -> list[Text]:
+    start = x + text_width(plate.mark, MARK_HEIGHT) + 5.0
+    texts = [
+        Text(x, y + 1.0, MARK_HEIGHT, plate.mark),
+        Text(start, y + 1.0, CAPTION_HEIGHT, f"{part}  1:{scale:g}"),
+    ]
+    words = _left_out(left_out, style)
+    beyond = start + text_width(texts[1].text, CAPTION_HEIGHT) + 5.0
+    return [*texts, Text(beyond, y + 1.0, LABEL_HEIGHT, words)] if words else texts
+
+
+def _left_out(count: int, style: SheetStyle) -> str:
+    return style.say("labels left out: {}, see details and tables", count) if count else ""
+
+
 def forming_note(data: FormingRecord, style: SheetStyle) -> str:
     """How a plate is formed, one line; as FormingRecord.note says it."""
     say, kind, down = style.say, data.forming_class, data.pull_down
-    sign = "≤" if kind.name == "flat" else "<" if kind.rule.startswith("cold") else ">"
-    why = f"({kind.rule}: {kind.value:.1f} {sign} {kind.limit:.1f} {kind.unit})"
+    sign = "≤" if kind.name == "flat" else "<" if kind.rule.startswith("cold_") else ">"
+    why = f"({say(FORMING_RULES.get(kind.rule, kind.rule))} "
+    why += f"{kind.value:.1f} {sign} {kind.limit:.1f} {kind.unit})"
     parts = [say("forming: {}", say(kind.name)) + f" {why}"]
     if kind.name in ("cold", "hot"):
         pressed = kind.rule == "fold_without_press"

@@ -9,8 +9,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..lofting import DevelopedPlate, MemberRecord, PlateEdge
+from ..welds.bevel_record import EdgeBevel
 from ..welds.weld_record import Weld
 from .sheet import Text, wrapped
+from .sheet_detail import detail_blocks
 from .sheet_overview import SCALES
 from .sheet_pack import GAP, Block, packed, shelf_height
 from .sheet_page import TEXT, Page
@@ -26,18 +28,28 @@ LABEL_ROOM = (28.0, 18.0)
 """mm; what labels and dimensions add to a pattern's width and height, about."""
 LEAST_ROWS = 8
 PATTERN_NOTE = (
-    "Patterns are drawn on the mid-surface as seen from the marking face. u runs right and v up "
-    "from the cross at the lower left corner of each pattern's bounding box. L: station line, "
-    "E: end line, P: point, small cross: witness mark W, F (dashed): fold line with its angle, "
-    "up towards the eye or down, R (chain): roll line of a plate to be rolled, O: opening with "
-    "u, v of its middle. Dimensions are overall."
+    "Patterns show the net plate before forming, its {} laid flat, seen from the marking face, "
+    "which is up. u runs right and v up from the cross at the lower left corner of each pattern's "
+    "bounding box. L: station line, E: end line, P: point, small cross: witness mark W, F "
+    "(dashed): fold line with its angle, up towards the eye or down, R (chain): roll line of a "
+    "plate to be rolled, with its radius, O: opening with u, v of its middle. Dimensions are "
+    "overall, before forming. Cut files draw the contour of the {}, with allowances where the "
+    "gross size differs."
 )
 POINT_NOTE = (
-    "Points: s: arc length on the axis; x, y, z: model coordinates, 1 mm; u, v: flat pattern, "
-    "0.1 mm; P: on the outer face's corner line; W: on the marking face, inside the edge. Panels: "
-    "flat: before forming; formed: after forming, along the surface; chord: after forming, "
-    "straight between the points P."
+    "Points: s: arc length on the axis; x, y, z: model coordinates; u, v: flat pattern; P: on the "
+    "outer face's corner line; W: on the marking face, inside the edge. Panels: flat: before "
+    "forming; formed: after forming, along the surface; chord: after forming, straight between "
+    "the points P. Edges: grooves by angle against square and depth, +: face cut back; tilt: of "
+    "the edge without grooves against square, +: outer face wider; from, to: s, of E lines from "
+    "the first edge."
 )
+SURFACES = {"mid": "mid-surface", "outer": "outer face", "inner": "inner face"}
+CONTOURS = {
+    "top": "marking face",
+    "root": "root of the grooves",
+    "widest": "widest outline of the edges",
+}
 SPRINGBACK = "Springback is left to the shop: radii and angles are of the finished plate."
 
 
@@ -59,7 +71,10 @@ def _drawn_pages(
     if not plates:
         return []
     form, say = style.page, style.say
-    words = " ".join(map(say, (PATTERN_NOTE, POINT_NOTE, SPRINGBACK)))
+    surface = SURFACES[plates[0].flattened_surface]
+    contour = CONTOURS.get(plates[0].contour, surface)
+    notes = (say(PATTERN_NOTE, say(surface), say(contour)), say(POINT_NOTE), say(SPRINGBACK))
+    words = " ".join(notes)
     bottom, texts = form.clear_bottom, []
     lines = wrapped(words, TEXT, form.note_width or form.right - form.left)
     foot = form.bottom + 1.0 if form.note_width else bottom
@@ -70,10 +85,9 @@ def _drawn_pages(
     bottom = max(bottom, foot + 3.2 * len(lines) + 2.0)
     area = (form.left, bottom, form.right, form.top)
     listings = {plate.mark: _listings(plate, record, style) for plate in plates}
-    preps = {plate.mark: edge_preps(plate, record, style) for plate in plates}
     scale = _scale(plates, listings, area)
     for scale in (s for s in SCALES if s >= scale):
-        blocks = [pattern_block(plate, scale, style, _short(preps[plate.mark])) for plate in plates]
+        blocks = [pattern_block(plate, scale, style) for plate in plates]
         sizes = [block.size for block in blocks]
         if all(w <= area[2] - area[0] and h <= area[3] - area[1] for w, h in sizes):
             break
@@ -81,17 +95,23 @@ def _drawn_pages(
         [block, *_tables(block.size, listings[plate.mark], area, say("continued"))]
         for plate, block in zip(plates, blocks, strict=True)
     ]
+    sets = [(heading, scale, groups)]
+    crowded = [p for p, b in zip(plates, blocks, strict=True) if b.left_out and p.lines]
+    room = (area[2] - area[0], area[3] - area[1])
+    for larger, details in detail_blocks(crowded, scale, room, style).items():
+        sets.append((say("flat patterns: details"), larger, [[block] for block in details]))
     return [
         Page(
-            heading,
+            title,
             tuple(dict.fromkeys(block.mark for block in page if block.mark)),
-            f"1:{scale}",
+            f"1:{one}",
             tuple(view for block in page for view in block.views),
             tuple(line for block in page for line in block.lines),
             (*(text for block in page for text in block.texts), *texts),
             tuple(table for block in page for table in block.tables),
         )
-        for page in packed(groups, area)
+        for title, one, own in sets
+        for page in packed(own, area)
     ]
 
 
@@ -140,15 +160,15 @@ def _tables(size, listings: Sequence[Listing], area, continued: str) -> list[Blo
 def _most_rows(size, listings: Sequence[Listing], area) -> tuple[int, float]:
     """How many rows a table has at most, and the height of pattern and tables then, mm."""
     width, height = area[2] - area[0], area[3] - area[1]
-    counts = [(sum(listing.widths), len(listing.rows)) for listing in listings]
-    longest = max((rows for _, rows in counts), default=1)
+    counts = [(sum(listing.widths), len(listing.rows), listing) for listing in listings]
+    longest = max((rows for _, rows, _ in counts), default=1)
     most = min(longest, int((height - TITLE_ROOM) // ROW_HEIGHT) - 1)
     best = (most, math.inf)
     for cap in np.unique(np.geomspace(min(LEAST_ROWS, most), most, 16).astype(int)).tolist():
         sizes = [
-            (wide, TITLE_ROOM + ROW_HEIGHT * (min(cap, rows - start) + 1))
-            for wide, rows in counts
-            for start in range(0, rows, cap)
+            (wide, TITLE_ROOM + ROW_HEIGHT * (min(listing.most(cap), rows - start) + 1))
+            for wide, rows, listing in counts
+            for start in range(0, rows, listing.most(cap))
         ]
         high = shelf_height([size, *sizes], width)
         if high < best[1] - 1.0:
@@ -167,14 +187,15 @@ def _points(plate: DevelopedPlate, style: SheetStyle) -> Listing:
             point.label,
             point.line,
             style.say(point.edge),
-            fixed(point.s, 1),
-            *(fixed(value, 0) for value in point.xyz),
-            *(fixed(value, 1) for value in point.flat),
+            style.measure(point.s),
+            *(style.measure(value, 0) for value in point.xyz),
+            *(style.measure(value) for value in point.flat),
         )
         for point in plate.points
     )
     header = style.said(("point", "line", "edge", "s", "x", "y", "z", "u", "v"))
-    return Listing(style.say("{}: points", plate.mark), header, rows, "<<<" + ">" * 6)
+    title = style.say("{}: points, {}", plate.mark, style.measured_in)
+    return Listing(title, header, rows, "<<<" + ">" * 6)
 
 
 def _panels(plate: DevelopedPlate, style: SheetStyle) -> Listing:
@@ -189,7 +210,9 @@ def _panels(plate: DevelopedPlate, style: SheetStyle) -> Listing:
         for k, (state, field) in enumerate(
             (("flat", "flat"), ("formed", "arc"), ("chord", "chord_outer"))
         ):
-            values = (fixed(getattr(own[name], field), 1) if name in own else "" for name in names)
+            values = (
+                style.measure(getattr(own[name], field)) if name in own else "" for name in names
+            )
             rows.append(("" if k else panel, say(state), *values))
     titles = [
         " ".join(say(word) if not word.isdigit() else word for word in name.split())
@@ -197,71 +220,88 @@ def _panels(plate: DevelopedPlate, style: SheetStyle) -> Listing:
     ]
     header = (say("panel"), say("state"), *titles)
     return Listing(
-        say("{}: panels, before and after forming", plate.mark),
+        say("{}: panels, before and after forming, {}", plate.mark, style.measured_in),
         header,
         tuple(rows),
         "<<" + ">" * len(names),
+        3,
     )
 
 
-def edge_preps(plate: DevelopedPlate, record: MemberRecord, style: SheetStyle) -> dict[str, str]:
-    """How the edges of a plate are cut for their welds, by `E-1`, `E-2` and names of long edges."""
-    faces = {other.mark: other.face for other in record.plates}
-    found: dict[str, dict[str, None]] = {}
-    for weld in record.welds:
-        if plate.mark not in weld.plates:
-            continue
-        other = weld.plates[1 - weld.plates.index(plate.mark)]
-        edge = _edge_of(plate, weld, faces.get(other, ""))
-        if edge:
-            found.setdefault(edge, {})[prep_words(weld, plate.mark, style)] = None
-    return {edge: " / ".join(texts) for edge, texts in found.items()}
-
-
-def _edge_of(plate: DevelopedPlate, weld: Weld, face: str) -> str:
-    if weld.kind == "joint":
-        nearer_start = abs(weld.start - plate.s_start) <= abs(weld.start - plate.s_end)
-        return "E-1" if nearer_start else "E-2"
-    named = [edge.edge for edge in plate.edges if edge.edge == weld.name]
-    return (named or [edge.edge for edge in plate.edges if edge.neighbour == face] or [""])[0]
-
-
-def prep_words(weld: Weld, mark: str, style: SheetStyle) -> str:
-    """How a plate is cut for a weld: the bevel with its angle, side and land, or `square`."""
-    say, prep = style.say, weld.prep
-    both = prep.type in ("v", "double-v")
-    if not prep.is_cut or not (both or mark == weld.plates[0]):
-        return say("square")
-    double = say("double bevel") if prep.type.startswith("double") else say("bevel")
-    text = f"{double} {math.degrees(prep.cut_angle):g}°"
-    if not prep.type.startswith("double"):
-        text += " " + (say("outside") if prep.side == "outer" else say("inside"))
-    return text + (f", {say('land')} {style.length(prep.land, 1)}" if prep.land else "")
-
-
-def _short(preps: dict[str, str]) -> dict[str, str]:
-    """What stands on the drawing: bevels and their angles; the rest is in the table."""
-    return {edge: text[: text.index("°") + 1] for edge, text in preps.items() if "°" in text}
-
-
 def _edges(plate: DevelopedPlate, record: MemberRecord, style: SheetStyle) -> Listing:
+    """Each stretch of each edge: its weld with the root gap, the grooves cut, its tilt."""
     say = style.say
-    preps = edge_preps(plate, record, style)
+    welds = {weld.mark: weld for weld in record.welds}
+    faces = {other.mark: other.face for other in record.plates}
     long = {edge.edge: edge for edge in plate.edges}
     rows = []
     for name in dict.fromkeys((*long, *(("E-1", "E-2") if plate.lines else ()))):
         edge = long.get(name)
-        rows.append(
-            (
-                say(name),
-                say(edge.neighbour) if edge else "",
-                preps.get(name, "–"),
-                _range(edge, "bevel"),
-                _range(edge, "dihedral"),
-            )
-        )
-    header = style.said(("edge", "meets", "cut", "edge surface, °", "dihedral, °"))
-    return Listing(say("{}: edges", plate.mark), header, tuple(rows), "<<<>>")
+        bevels = [bevel for bevel in plate.bevels if bevel.edge == name]
+        for bevel in bevels:
+            own = [welds[mark] for mark in bevel.weld.split() if mark in welds]
+            rows.append(_edge_row(name, edge, own, bevel, style))
+        if not bevels:
+            own = [
+                weld
+                for weld in record.welds
+                if plate.mark in weld.plates and _edge_of(plate, weld, faces) == name
+            ]
+            rows.append(_edge_row(name, edge, own, None, style))
+    header = style.said(
+        ("edge", "meets", "from", "to", "weld", "gap", "outside", "inside", "tilt, °",
+         "dihedral, °")
+    )  # fmt: skip
+    title = say("{}: edges, {}", plate.mark, style.measured_in)
+    return Listing(title, header, tuple(rows), "<<>><><<>>")
+
+
+def _edge_row(
+    name: str,
+    edge: PlateEdge | None,
+    welds: Sequence[Weld],
+    bevel: EdgeBevel | None,
+    style: SheetStyle,
+) -> tuple[str, ...]:
+    say = style.say
+    names = [weld.mark.removeprefix(f"{weld.member}-") for weld in welds]
+    gaps = dict.fromkeys(style.length(weld.prep.gap) for weld in welds)
+    place = ("", "")
+    if bevel is not None:
+        place = (style.measure(bevel.start), style.measure(bevel.end))
+    elif edge is not None:
+        place = (style.measure(float(edge.s[0])), style.measure(float(edge.s[-1])))
+    grooves = (say("square"), say("square"))
+    if bevel is not None:
+        grooves = tuple(_groove_text(*one, style) for one in (bevel.outer, bevel.inner))
+    tilt = fixed(math.degrees(bevel.natural), 1) if bevel is not None else "0.0"
+    return (
+        say(name),
+        say(edge.neighbour) if edge else "",
+        *place,
+        names[0] + (f" … {names[-1]}" if len(names) > 1 else "") if names else say("none"),
+        " / ".join(gaps) or "–",
+        *grooves,
+        tilt,
+        _range(edge, "dihedral"),
+    )
+
+
+def _groove_text(angle: float, depth: float, style: SheetStyle) -> str:
+    """A groove of an edge: its angle against square and its depth; a dash where none is cut."""
+    return f"{fixed(math.degrees(angle), 1)}° × {style.length(depth)}" if depth else "–"
+
+
+def _edge_of(plate: DevelopedPlate, weld: Weld, faces: dict[str, str]) -> str:
+    """The edge of a plate a weld runs along: `E-1`, `E-2` or the name of a long one."""
+    if weld.kind not in ("seam", "lane", "joint"):
+        return ""
+    if weld.kind == "joint":
+        nearer_start = abs(weld.start - plate.s_start) <= abs(weld.start - plate.s_end)
+        return "E-1" if nearer_start else "E-2"
+    face = faces.get(weld.plates[1 - weld.plates.index(plate.mark)], "")
+    named = [edge.edge for edge in plate.edges if edge.edge == weld.name]
+    return (named or [edge.edge for edge in plate.edges if edge.neighbour == face] or [""])[0]
 
 
 def _range(edge: PlateEdge | None, name: str) -> str:

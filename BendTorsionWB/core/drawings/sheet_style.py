@@ -120,6 +120,21 @@ class SheetStyle:
         """A length, mm, as it is written: with digits of a millimetre, or to 1/16 inch."""
         return feet_inches(value) if self.unit == "ft-in" else fixed(value, digits)
 
+    def measure(self, value: float, digits: int = 1) -> str:
+        """A measure in a table, mm, with digits of a millimetre, or in decimal inches at least as
+        fine: sixteenths would be coarser than what a table is there for."""
+        return fixed(value / INCH, digits + 2) if self.unit == "ft-in" else fixed(value, digits)
+
+    @property
+    def measured_in(self) -> str:
+        """The unit of measures in tables."""
+        return "in" if self.unit == "ft-in" else "mm"
+
+    def size(self, length: float, width: float) -> str:
+        """Length and width of a plate with their unit."""
+        unit = "" if self.unit == "ft-in" else " mm"
+        return f"{self.length(length)} × {self.length(width)}{unit}"
+
     def with_unit(self, value: float | None, digits: int = 1) -> str:
         """A length with its unit; a dash when there is none."""
         if value is None:

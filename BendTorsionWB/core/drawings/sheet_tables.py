@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -109,6 +110,26 @@ def zone_table(record: MemberRecord, x: float, y: float, style: SheetStyle) -> T
     if len(record.zones) > MOST_ROWS:
         rows.append((f"+{len(record.zones) - MOST_ROWS}", "…", *("",) * 7))
     return _standing(x, y, header, rows, "<<>>>>>>>")
+
+
+def fold_table(record: MemberRecord, x: float, y: float, style: SheetStyle) -> Table | None:
+    """How far each face is folded where zones begin, degrees, positive where its outer side is
+    convex; up to MOST_ROWS. None without folds."""
+    faces = list(dict.fromkeys(plate.face for plate in record.plates if plate.lines))
+    found: dict[int, dict[str, float]] = {}
+    for plate in record.plates:
+        for fold in plate.folds:
+            found.setdefault(round(fold.s), {})[plate.face] = math.degrees(fold.angle)
+    if not found:
+        return None
+    header = (style.say("fold, s"), *(style.say("{}, °", style.say(face)) for face in faces))
+    rows = [
+        (style.length(s), *(fixed(own[face], 1) if face in own else "–" for face in faces))
+        for s, own in sorted(found.items())[:MOST_ROWS]
+    ]
+    if len(found) > MOST_ROWS:
+        rows.append((f"+{len(found) - MOST_ROWS}", *("…" for _ in faces)))
+    return _standing(x, y, header, rows, ">" * len(header))
 
 
 def _standing(x: float, y: float, header, rows, align: str) -> Table:

@@ -111,6 +111,14 @@ _COLUMNS = {
     "square": "直边",
     "step": "突变",
     "zone": "区段",
+    "folds": "折线",
+    "fold, s": "折线 s",
+    "{}, °": "{} °",
+    "height left": "左高",
+    "height right": "右高",
+    "Assembly bed {}: {} face down, heights above the floor, {}": (
+        "胎架 {}：{}面朝下，离地高度 {}"
+    ),
     "group": "组",
     "slope": "坡度",
     "d top": "d 上",
@@ -119,16 +127,31 @@ _COLUMNS = {
     "d right": "d 右",
 }
 _PLATES = {
-    "{} kg": "{} kg",
-    "net {}": "净 {}",
-    "gross {}": "毛 {}",
+    "net {}, {} kg": "净 {}，{} kg",
+    "gross {}, {} kg": "毛 {}，{} kg",
+    "mid-surface": "中面",
+    "outer face": "外表面",
+    "inner face": "内表面",
+    "marking face": "划线面",
+    "root of the grooves": "坡口根部",
+    "widest outline of the edges": "边缘最大轮廓",
+    "out of flat": "平面偏差",
+    "radius": "半径",
+    "membrane stress": "薄膜应力",
+    "bending stress": "弯曲应力",
+    "fold angle": "折角",
+    "none": "无",
+    "tilt, °": "倾斜 °",
     "quantity {}": "数量 {}",
     "part {}": "零件 {}",
     "opposite hand of {}": "与 {} 镜像",
     "face {}": "面 {}",
-    "marking face: {}, seen from there": "划线面：{}（由此面看）",
+    "marking face: {}, up": "划线面：{}（朝上）",
     "rolling direction along u": "轧制方向沿 u",
     "labels left out: {}, see the tables": "未标注 {} 个，见表",
+    "labels left out: {}, see details and tables": "未标注 {} 个，见详图与表",
+    "flat patterns: details": "板件展开详图",
+    "detail {} to {}": "详图 {} 至 {}",
     "at": "位于",
     "forming: {}": "成形：{}",
     "twist {}°/m": "扭转 {}°/m",
@@ -156,12 +179,10 @@ _PLATES = {
     "line": "线",
     "edge": "边",
     "meets": "相邻",
-    "cut": "坡口",
-    "edge surface, °": "边面角 °",
     "dihedral, °": "二面角 °",
-    "{}: points": "{}：点",
-    "{}: edges": "{}：边",
-    "{}: panels, before and after forming": "{}：分格，成形前后",
+    "{}: points, {}": "{}：点，{}",
+    "{}: edges, {}": "{}：边，{}",
+    "{}: panels, before and after forming, {}": "{}：分格，成形前后，{}",
     "panel": "分格",
     "state": "状态",
     "flat": "平面",
@@ -178,9 +199,24 @@ _WELDS = {
     "side": "坡口面",
     "place": "场所",
     "NDT": "无损检测",
+    "groove, °": "坡口角 °",
+    "cut / on": "开坡口板 / 相邻板",
+    "symbol": "符号",
+    "depth": "深度",
+    "backing": "衬垫",
+    "full": "全熔透",
+    "total": "合计",
+    "in all {}": "总长 {}",
+    "Welds and joints (mm)": "焊缝与拼接（mm）",
+    "Backing bars (not in the mass of the member)": "衬垫条（不计入构件质量）",
+    "Weld map": "焊缝布置图",
+    "Weld map (continued)": "焊缝布置图（续）",
+    "s {} to {}, +s to the right; face: plates and joints; seam: welds": (
+        "s {} 至 {}，+s 向右；面：板件与拼接；棱缝：焊缝"
+    ),
     "bevel": "单边坡口",
-    "double bevel": "双面坡口",
-    "v": "v",
+    "V": "V 形",
+    "double-fillet": "双面角焊",
     "double-bevel": "K 形",
     "double-v": "X 形",
     "fillet": "角焊",
@@ -211,58 +247,63 @@ _BEDS = {
     "height": "高度",
     "tilt, °": "倾角 °",
     "bed in the model": "胎架在模型中",
-    "origin": "原点",
+    "origin, {}": "原点 {}",
     "{} axis": "{} 轴",
     "floor 0": "地面 0",
     "{} on its bed: plan": "{} 胎架平面",
-    "Seats (mm, on the bed; heights above the floor)": "支点（mm，胎架坐标；离地高度）",
+    "{} on its bed: elevation": "{} 胎架立面",
+    "Seats ({}, on the bed; heights above the floor)": "支点（{}，胎架坐标；离地高度）",
     "best plane of its edges": "边线最佳平面",
     "its plane at mid-length": "跨中平面",
     "plane by given direction": "给定方向的平面",
     "Pins (crosses): base {} above the floor.": "顶针（十字）：底座离地 {}。",
 }
 _NOTES = {
-    "Face {} lies down; bed by {}, its edges within ±{} mm. Plan seen from above; left is up. "
+    "Face {} lies down; bed by {}, its edges within ±{}. Plan seen from above; left is up. "
     "Bar: saddle with its seats; triangle: side stop at the lower seat. Elevation: heights of "
     "the left and the right seat above the floor. Templates: {}.": (
-        "{} 面朝下；胎架按{}，边线偏差 ±{} mm。平面为俯视，左侧在上。横杆：托架及支点；三角："
+        "{} 面朝下；胎架按{}，边线偏差 ±{}。平面为俯视，左侧在上。横杆：托架及支点；三角："
         "低侧挡块。"
         "立面：左右支点离地高度。样板：{}。"
     ),
     "x, y, z: model coordinates. bed x, y, z: on the bed, floor at 0. Outer corners of the "
-    "section at the member's stations and the piece's ends, mm.": (
-        "x, y, z：模型坐标。胎架 x, y, z：地面为 0。构件测站与单元端部的截面外角点，mm。"
+    "section at the member's stations and the piece's ends, {}.": (
+        "x, y, z：模型坐标。胎架 x, y, z：地面为 0。构件测站与单元端部的截面外角点，{}。"
     ),
-    "x, y: on the bed. height: above the base of the pins. tilt: of the face there.": (
-        "x, y：胎架坐标。高度：自顶针底座。倾角：该处面的倾角。"
+    "x, y: on the bed, {}. height: above the base of the pins. tilt: of the face there.": (
+        "x, y：胎架坐标，{}。高度：自顶针底座。倾角：该处面的倾角。"
     ),
-    "Patterns are drawn on the mid-surface as seen from the marking face. u runs right and v up "
-    "from the cross at the lower left corner of each pattern's bounding box. L: station line, "
-    "E: end line, P: point, small cross: witness mark W, F (dashed): fold line with its angle, "
-    "up towards the eye or down, R (chain): roll line of a plate to be rolled, O: opening with "
-    "u, v of its middle. Dimensions are overall.": (
-        "展开图按中面，自划线面看。u 向右、v 向上，原点为包围框左下角的十字。L：测站线；E：端"
-        "线；P：点；"
-        "小十字：基准点 W；F（虚线）：折线及角度，向上为朝向观者；R（点画线）：卷板线；O：开"
-        "孔及中心 u, v。"
-        "尺寸为总尺寸。"
+    "Patterns show the net plate before forming, its {} laid flat, seen from the marking face, "
+    "which is up. u runs right and v up from the cross at the lower left corner of each pattern's "
+    "bounding box. L: station line, E: end line, P: point, small cross: witness mark W, F "
+    "(dashed): fold line with its angle, up towards the eye or down, R (chain): roll line of a "
+    "plate to be rolled, with its radius, O: opening with u, v of its middle. Dimensions are "
+    "overall, before forming. Cut files draw the contour of the {}, with allowances where the "
+    "gross size differs.": (
+        "展开图为成形前净尺寸，按{}展开，自划线面看，划线面朝上。u 向右、v 向上，原点为包围框左下"
+        "角的十字。L：测站线；E：端线；P：点；小十字：基准点 W；F（虚线）：折线及角度，向上为朝向观"
+        "者；R（点画线）：卷板线及半径；O：开孔及中心 u, v。尺寸为成形前总尺寸。切割文件按{}轮廓，"
+        "毛尺寸不同者含余量。"
     ),
-    "Points: s: arc length on the axis; x, y, z: model coordinates, 1 mm; u, v: flat pattern, "
-    "0.1 mm; P: on the outer face's corner line; W: on the marking face, inside the edge."
-    " Panels: "
-    "flat: before forming; formed: after forming, along the surface; chord: after forming, "
-    "straight between the points P.": (
-        "点：s 为轴线弧长；x, y, z 为模型坐标，1 mm；u, v 为展开坐标，0.1 mm；P 在外表面角线"
-        "上；W 在划线面上、"
-        "边缘内侧。分格：平面为成形前；成形为成形后沿曲面；弦长为成形后 P 点间直线。"
+    "Points: s: arc length on the axis; x, y, z: model coordinates; u, v: flat pattern; P: on the "
+    "outer face's corner line; W: on the marking face, inside the edge. Panels: flat: before "
+    "forming; formed: after forming, along the surface; chord: after forming, straight between "
+    "the points P. Edges: grooves by angle against square and depth, +: face cut back; tilt: of "
+    "the edge without grooves against square, +: outer face wider; from, to: s, of E lines from "
+    "the first edge.": (
+        "点：s 为轴线弧长；x, y, z 为模型坐标；u, v 为展开坐标；P 在外表面角线上；W 在划线面上、边"
+        "缘内侧。分格：平面为成形前；成形为成形后沿曲面；弦长为成形后 P 点间直线。边：坡口为相对直角"
+        "的角度与深度，正为该面切去；倾斜为未开坡口边面相对直角的角度，正为外表面较宽；自、至为 s，"
+        "E 线自第一边起。"
     ),
     "Springback is left to the shop: radii and angles are of the finished plate.": (
         "回弹由工厂考虑：半径与角度为成品值。"
     ),
-    "Sections are seen along +s, up as the section's z axis; cross: the axis, to which di"
-    "mensions "
-    "are given. Weld symbols: the arrow points at the outer face.": (
-        "截面沿 +s 方向看，上方为截面 z 轴；十字为轴线，尺寸自轴线标注。焊缝符号：箭头指向外表面。"
+    "Sections are seen along +s, up as the section's z axis; cross: the axis, to which dimensions "
+    "are given. Weld symbols: the arrow points at the outer face of the plate that is cut; welds "
+    "without a depth go through the whole plate. t: thickness, mm.": (
+        "截面沿 +s 方向看，上方为截面 z 轴；十字为轴线，尺寸自轴线标注。焊缝符号：箭头指向开坡口板的"
+        "外表面；未注深度者为全熔透。t：板厚 mm。"
     ),
 }
 _NODES = {

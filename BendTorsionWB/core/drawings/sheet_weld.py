@@ -12,6 +12,7 @@ import numpy as np
 from ..beds.control_record import ControlSection
 from ..lofting import MemberRecord
 from ..welds.backing import backing_bars
+from ..welds.preps import Prep
 from ..welds.weld_record import Weld
 from .sheet import Polyline, Text, View, text_box, text_width
 from .sheet_labels import as_points
@@ -40,8 +41,8 @@ def weld_groups(
     wide, high = area[2] - area[0], area[3] - area[1]
     letters = kind_letters(record.welds)
     groups = [_section_blocks(record, scale, style)]
-    groups += [[block] for block in weld_map_blocks(record, letters, wide, style)]
-    groups.append(_symbol_blocks(record, letters, style))
+    groups += [[block] for block in weld_map_blocks(record, letters, (wide, high), style)]
+    groups.append(symbol_blocks(record.welds, letters, style))
     for listing in (weld_listing(record, letters, style), bar_listing(record, style)):
         if listing.rows:
             most = int((high - TITLE_ROOM) // ROW_HEIGHT) - 1
@@ -53,7 +54,7 @@ def weld_groups(
 
 def kind_letters(welds: Sequence[Weld]) -> dict[tuple, str]:
     """A letter for each kind of weld, of one preparation, place and test: A, B ... Z, AA ..."""
-    kinds = dict.fromkeys(_kind(weld) for weld in welds)
+    kinds = dict.fromkeys(weld_kind(weld) for weld in welds)
     names = string.ascii_uppercase
     return {
         kind: (names[k // 26 - 1] if k >= 26 else "") + names[k % 26]
@@ -67,7 +68,13 @@ def _cut_thickness(weld: Weld) -> float:
     return min(weld.thickness) if weld.kind == "joint" else weld.thickness[0]
 
 
-def _kind(weld: Weld) -> tuple:
+def type_word(prep: Prep) -> str:
+    """The type of a preparation as sheets write it."""
+    return "V" if prep.type == "v" else prep.type
+
+
+def weld_kind(weld: Weld) -> tuple:
+    """What welds of one letter have in common."""
     return weld.prep, weld.place, weld.ndt
 
 
@@ -81,14 +88,13 @@ def _section_blocks(record: MemberRecord, scale: int, style: SheetStyle) -> list
     return [block for block in drawn if block is not None][:1]
 
 
-def _symbol_blocks(
-    record: MemberRecord, letters: dict[tuple, str], style: SheetStyle
+def symbol_blocks(
+    welds: Sequence[Weld], letters: dict[tuple, str], style: SheetStyle
 ) -> list[Block]:
     """A symbol for each kind of weld."""
     say, blocks = style.say, []
-    for kind, letter in letters.items():
-        prep, place, ndt = kind
-        own = [weld for weld in record.welds if _kind(weld) == kind]
+    for (prep, place, ndt), letter in letters.items():
+        own = [weld for weld in welds if weld_kind(weld) == (prep, place, ndt)]
         depths = {_cut_thickness(weld) for weld in own}
         thickness = depths.pop() if len(depths) == 1 else None
         at = (6.0, -SYMBOL_ROOM)
@@ -96,10 +102,8 @@ def _symbol_blocks(
         lines += weld_arrow(prep, at, (0.0, at[1] - 4.0), style)
         total = style.length(sum(weld.length for weld in own), 0)
         unit = "" if style.unit == "ft-in" else " mm"
-        words = (
-            f"{letter}  {prep.name or prep.type}: {say(prep.type)}, {say(place)}, × {len(own)}, "
-            f"{say('in all {}', total + unit)}"
-        )
+        kind = f"{prep.name or prep.type}: {say(type_word(prep))}, {say(place)}"
+        words = f"{letter}  {kind}, × {len(own)}, {say('in all {}', total + unit)}"
         texts.append(Text(0.0, -FIGURES, FIGURES, words))
         wide = max(8.0 + weld_symbol_width(prep, ndt), text_width(words, FIGURES))
         box = (0.0, at[1] - SYMBOL_ROOM, wide + 2.0, 1.0)
@@ -173,7 +177,9 @@ def weld_listing(
     columns = ("weld", "cut / on", "t", "symbol", "type", "angle, °", "land", "gap", "depth",
                "side", "backing", "from", "to", "length", "place", "NDT")  # fmt: skip
     align = "<<><<>>>><<>>><<"
-    rows = [_weld_row(weld, letters[_kind(weld)], record.member, style) for weld in record.welds]
+    rows = [
+        _weld_row(weld, letters[weld_kind(weld)], record.member, style) for weld in record.welds
+    ]
     total = ["" for _ in columns]
     total[0], total[13] = say("total"), style.length(sum(w.length for w in record.welds))
     shown = [
@@ -204,7 +210,7 @@ def _weld_row(weld: Weld, letter: str, member: str, style: SheetStyle) -> tuple[
         " / ".join(mark.removeprefix(f"{member}-") for mark in weld.plates),
         "/".join(dict.fromkeys(f"{t:g}" for t in weld.thickness)),
         letter,
-        say(prep.type),
+        say(type_word(prep)),
         f"{math.degrees(prep.angle):g}" if prep.angle else "–",
         style.length(prep.land),
         style.length(prep.gap),
@@ -234,4 +240,5 @@ def bar_listing(record: MemberRecord, style: SheetStyle) -> Listing:
         )
         for bar in backing_bars(record)
     )
-    return Listing(style.say("Backing bars (not in the mass of the member)"), header, rows, "<<>>><>")
+    title = style.say("Backing bars (not in the mass of the member)")
+    return Listing(title, header, rows, "<<>>><>")

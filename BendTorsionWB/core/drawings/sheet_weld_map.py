@@ -23,6 +23,7 @@ LABEL_SPACING = 2.9
 LEFT, RIGHT = 12.0, 4.0
 """mm beside the map, for the names of its rows."""
 BAND, LEADER, GAP = 6.0, 3.5, 2.0
+HEAD = 6.5
 AROUND = ("R", "T", "L", "B")
 """Faces of a box as they lie when it is opened along its bottom right corner."""
 FLAG = 3.2
@@ -38,9 +39,14 @@ class _Row:
 
 
 def weld_map_blocks(
-    record: MemberRecord, letters: dict[tuple, str], width: float, style: SheetStyle
+    record: MemberRecord,
+    letters: dict[tuple, str],
+    size: tuple[float, float],
+    style: SheetStyle,
 ) -> list[Block]:
-    """The map, `width` mm wide, in as many strips of the length as the names of the welds need."""
+    """The map on pages of this width and height, mm, in as many strips of the length as the names
+    of the welds need."""
+    width, height = size
     rows = _rows(record)
     if not rows:
         return []
@@ -51,15 +57,43 @@ def weld_map_blocks(
     crowd = max(len(row.welds) for row in rows)
     count = max(1, math.ceil(crowd * LABEL_SPACING / room))
     step = (end - start) / count
-    return [
-        _strip(rows, start + k * step, start + (k + 1) * step, letters, width, style, k == 0)
-        for k in range(count)
-    ]
+    blocks: list[Block] = []
+    for k in range(count):
+        span = (start + k * step, start + (k + 1) * step)
+        parts = [_row(row, span, letters, width, style) for row in rows]
+        while parts:
+            # As many rows as a page holds.
+            high, own = HEAD, 0
+            while own < len(parts) and (not own or high + parts[own].size[1] + GAP <= height):
+                high += parts[own].size[1] + GAP
+                own += 1
+            blocks.append(_stacked(parts[:own], span, bool(blocks), width, style))
+            parts = parts[own:]
+    return blocks
+
+
+def _stacked(parts, span, continued: bool, width: float, style: SheetStyle) -> Block:
+    """Rows one below the other under a caption, hanging from (0, 0)."""
+    caption = style.say("Weld map (continued)" if continued else "Weld map")
+    more = style.say("s {} to {}, +s to the right; face: plates and joints; seam: welds",
+                     *map(style.length, span))  # fmt: skip
+    texts = [Text(0.0, -CAPTION - 1.0, CAPTION, caption)]
+    beside = text_width(caption, CAPTION) + 5.0
+    if beside + text_width(more, TEXT) <= width:
+        texts.append(Text(beside, -CAPTION - 1.0, TEXT, more))
+    lines: list[Polyline] = []
+    y = -HEAD
+    for part in parts:
+        moved = part.moved(0.0, y)
+        lines += moved.lines
+        texts += moved.texts
+        y -= part.size[1] + GAP
+    return Block("", (), tuple(lines), tuple(texts), (0.0, y, width, 0.0))
 
 
 def _rows(record: MemberRecord) -> list[_Row]:
     plates = [plate for plate in record.plates if plate.lines]
-    joints = [weld for weld in record.welds if weld.kind == "joint"]
+    joints = [weld for weld in record.welds if weld.kind in ("joint", "node", "diaphragm")]
     seams: dict[str, list[Weld]] = {}
     for weld in record.welds:
         if weld.kind in ("seam", "lane"):
@@ -84,55 +118,45 @@ def _rows(record: MemberRecord) -> list[_Row]:
     return [*rows, *(_Row(seam, (), tuple(welds)) for seam, welds in left.items())]
 
 
-def _strip(
-    rows: Sequence[_Row],
-    start: float,
-    end: float,
+def _row(
+    row: _Row,
+    span: tuple[float, float],
     letters: dict[tuple, str],
     width: float,
     style: SheetStyle,
-    with_caption: bool,
 ) -> Block:
-    """The map between two arc lengths, hanging from (0, 0)."""
+    """A row of the map between two arc lengths, hanging from (0, 0)."""
     lines: list[Polyline] = []
     texts: list[Text] = []
-    right = width - RIGHT
+    (start, end), right, y = span, width - RIGHT, 0.0
 
     def at(s: float) -> float:
         return LEFT + (min(max(s, start), end) - start) / (end - start) * (right - LEFT)
 
-    y = -CAPTION - 1.0
-    caption = style.say("Weld map") if with_caption else style.say("Weld map (continued)")
-    texts.append(Text(0.0, y, CAPTION, caption))
-    more = style.say("s {} to {}, +s to the right; face: plates and joints; seam: welds",
-                     style.length(start), style.length(end))  # fmt: skip
-    texts.append(Text(text_width(caption, CAPTION) + 5.0, y, TEXT, more))
-    y -= 3.0
-    for row in rows:
-        tracks = list(_tracks(row.plates))
-        top = y
-        for track in tracks:
-            for plate in track:
-                if plate.s_end > start and plate.s_start < end:
-                    _plate(plate, at(plate.s_start), at(plate.s_end), y, lines, texts)
-            y -= BAND
+    tracks = _tracks(row.plates)
+    flags = any(weld.place == "field" for weld in row.welds)
+    y -= FLAG if flags else 0.0
+    top = y
+    for track in tracks:
+        for plate in track:
+            if plate.s_end > start and plate.s_start < end:
+                _plate(plate, at(plate.s_start), at(plate.s_end), y, lines, texts)
+        y -= BAND
+    y -= 0.0 if tracks else 1.0
+    texts.append(Text(0.0, 0.5 * (top + y) - 0.5 * TEXT, TEXT, row.name))
+    named = []
+    for weld in row.welds:
+        if weld.end < start or weld.start > end:
+            continue
+        low, high = at(weld.start), at(weld.end)
         if not tracks:
-            y -= 1.0
-        middle = 0.5 * (top + y) - 0.5 * TEXT
-        texts.append(Text(0.0, middle, TEXT, row.name))
-        named = []
-        for weld in row.welds:
-            low, high = at(weld.start), at(weld.end)
-            if weld.end < start or weld.start > end:
-                continue
-            if not tracks:
-                lines.append(Polyline(((low, y), (high, y)), "wide"))
-                lines += [Polyline(((x, y - 0.8), (x, y + 0.8)), "medium") for x in (low, high)]
-            centre = 0.5 * (weld.start + weld.end)
-            if start <= centre < end or (centre == end and weld is row.welds[-1]):
-                named.append((at(centre), weld))
-        y = _names(named, letters, y, (LEFT, right), style, bool(tracks), lines, texts)
-        y -= GAP
+            lines.append(Polyline(((low, y), (high, y)), "wide"))
+            lines += [Polyline(((x, y - 0.8), (x, y + 0.8)), "medium") for x in (low, high)]
+        middle = 0.5 * (weld.start + weld.end)
+        # One of two strips names a weld: that with its middle, the first of two at their seam.
+        if start < middle <= end or (middle == start and weld.start == weld.end == 0.0):
+            named.append((at(middle), weld))
+    y = _names(named, letters, y, (LEFT, right), style, len(tracks), lines, texts)
     return Block("", (), tuple(lines), tuple(texts), (0.0, y, width, 0.0))
 
 
@@ -165,7 +189,7 @@ def _names(
     y: float,
     sides: tuple[float, float],
     style: SheetStyle,
-    with_place: bool,
+    tracks: int,
     lines: list[Polyline],
     texts: list[Text],
 ) -> float:
@@ -180,13 +204,13 @@ def _names(
     for (x, weld), stands in zip(named, placed, strict=True):
         short = weld.mark.split("-")[-1]
         text = f"{short} {letters[weld.prep, weld.place, weld.ndt]}"
-        if with_place:
+        if tracks:
             text += f"  {style.length(weld.start)}"
         texts.append(Text(stands + 0.5 * TEXT, level - 0.8, TEXT, text, 90.0, "end"))
         deepest = max(deepest, text_width(text, TEXT))
         lines.append(Polyline(((stands, level), (stands, level + 0.9), (x, y))))
         if weld.place == "field":
-            tip = (x, y + BAND + FLAG) if with_place else (x, y + FLAG)
+            tip = (x, y + tracks * BAND + FLAG)
             foot = (x, y)
             flag = ((tip[0] + 2.2, tip[1] - 0.9), (tip[0], tip[1] - 1.8))
             lines.append(Polyline((foot, tip, *flag), "medium"))

@@ -25,7 +25,7 @@ GROOVE = 4.6
 REFERENCE = 22.0
 """mm; length of the reference line without tail."""
 FLAG = 6.5
-SYMBOL_ROOM = GROOVE + 7.0
+SYMBOL_ROOM = GROOVE + 8.5
 """mm; what a symbol takes above its reference line, and below."""
 DASHED = 1.0
 """mm from the continuous to the dashed line."""
@@ -56,7 +56,8 @@ def weld_symbol(
     iso, double = style.first_angle, prep.type.startswith("double")
     if iso and not double:
         lines.append(Polyline(((x, y - DASHED), (end, y - DASHED)), "dashed"))
-    middle = x + way * 0.6 * REFERENCE
+    # The depth stands left of the groove, so that side has the more room.
+    middle = x + way * (0.4 if leftward else 0.6) * REFERENCE
     arrow_side = (1.0 if iso else -1.0) * (1.0 if prep.side == "outer" else -1.0)
     for side in (1.0, -1.0) if double else (arrow_side,):
         # Below the continuous line of ISO runs the dashed one.

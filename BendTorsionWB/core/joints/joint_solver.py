@@ -290,15 +290,15 @@ def _why_not(
                 strict = middle
             else:
                 loose, proposal = middle, found
-        joints = "; ".join(
-            f"{face} {' '.join(f'{p:.0f}' for p in places) or 'none'}"
+        joints = ", ".join(
+            f"{face} at {' '.join(f'{p:.0f}' for p in places)} mm" if places else f"none on {face}"
             for face, places in proposal.items()
         )
         return error(
             "joints-infeasible",
             member,
             f"no joints keep the rule: {MEANING[name]}",
-            f"nearest: {MEANING[name]} {loose:.0f} mm with joints {joints} mm; or use other stock",
+            f"nearest: {MEANING[name]} {loose:.0f} mm, joints {joints}; or use other stock",
             position=position,
             value=float(round(loose)),
             limit=getattr(rules, name),

@@ -7,6 +7,7 @@ face). On a surface of the plate, X(s, w), it is solved for s along lines of con
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -32,12 +33,32 @@ _LAST_STEP = 1e-7
 @dataclass(frozen=True, eq=False)
 class EndCurves:
     """Where a plate ends: w -> s (1,) on its outer, mid and inner surface, w from 0 on the first
-    edge to 1 on the second; and the surface it ends at."""
+    edge to 1 on the second; and the surface it ends at. switches: per surface the places w where
+    the curve has a corner, as another part of the end surface takes over."""
 
     outer: Piecewise
     mid: Piecewise
     inner: Piecewise
     surface: EndSurface
+    switches: tuple[tuple[float, ...], ...] = ((), (), ())
+
+    def corners_at(self, d: float) -> tuple[float, ...]:
+        """The corners w at depth d, 0 at the outer and 1 at the inner surface."""
+        outer, mid, inner = self.switches
+        if not len(outer) == len(mid) == len(inner):
+            # One lies on some of the surfaces only.
+            return tuple(sorted({*outer, *mid, *inner}))
+        parts = (1.0 - d) * (1.0 - 2.0 * d), 4.0 * d * (1.0 - d), d * (2.0 * d - 1.0)
+        return tuple(
+            parts[0] * a + parts[1] * b + parts[2] * c
+            for a, b, c in zip(outer, mid, inner, strict=True)
+        )
+
+    @property
+    def stretches(self) -> tuple[tuple[float, float], ...]:
+        """From and to (w) of the smooth stretches of the mid-surface's curve."""
+        edges = (0.0, *self.switches[1], 1.0)
+        return tuple(zip(edges[:-1], edges[1:], strict=True))
 
     def at(self, level: str, w: np.ndarray) -> np.ndarray:
         """Arc lengths (n,) at w (n,) on the surface `outer`, `mid` or `inner`."""
@@ -63,22 +84,29 @@ def end_curves(name: str, rails: StripRails, surface: EndSurface, end: int) -> E
     Raises BendTorsionError, with the place, where a fibre is missed or cut more than once, and
     where nothing of the plate would be left.
     """
-    curves = (_curve(name, getattr(rails, level), level, surface, end) for level in LEVELS)
-    return EndCurves(*curves, surface)
+    levels = [getattr(rails, level) for level in LEVELS]
+    bounds = _brackets(name, levels, surface, end)
 
-
-def _curve(name: str, rails: Piecewise, level: str, surface: EndSurface, end: int) -> Piecewise:
-    places, brackets = _brackets(name, rails, level, surface, end)
-
-    def cut(w: np.ndarray) -> np.ndarray:
+    def cut(w: np.ndarray, chosen: Sequence[int]) -> np.ndarray:
         near = np.clip(np.searchsorted(FIBRES, w) - 1, 0, len(FIBRES) - 2)
-        low = np.minimum(brackets[near], brackets[near + 1])
-        high = np.maximum(brackets[near], brackets[near + 1]) + 1
-        low, high = (low - 1).clip(0), (high + 1).clip(None, len(places) - 1)
-        return fibre_cuts(rails, surface, w, places[low], places[high])[:, None]
+        low, high, start = (np.stack([bounds[k][j][near] for k in chosen]) for j in range(3))
+        rails = [levels[k] for k in chosen]
+        return _cuts(rails, surface, w, low, high, start, end == 1).T
 
-    breaks = np.array([0.0, *_switches(cut, rails, surface), 1.0])
-    return resolve(cut, breaks, CURVE_SIZE, _DEEPEST)
+    switches = tuple(
+        tuple(_switches(lambda w, k=k: cut(w, (k,))[:, 0], level, surface))
+        for k, level in enumerate(levels)
+    )
+    if not any(switches):
+        # All three at once: the closest points of the surface are what takes the time.
+        found = resolve(lambda w: cut(w, (0, 1, 2)), np.array([0.0, 1.0]), CURVE_SIZE, _DEEPEST)
+        curves = [Piecewise(found.breaks, found.values[..., k : k + 1]) for k in range(3)]
+    else:
+        curves = [
+            resolve(lambda w, k=k: cut(w, (k,)), np.array([0.0, *own, 1.0]), CURVE_SIZE, _DEEPEST)
+            for k, own in enumerate(switches)
+        ]
+    return EndCurves(*curves, surface, switches)
 
 
 def _switches(cut, rails: Piecewise, surface: EndSurface) -> list[float]:
@@ -88,7 +116,7 @@ def _switches(cut, rails: Piecewise, surface: EndSurface) -> list[float]:
         return []
 
     def part_at(w: np.ndarray) -> np.ndarray:
-        value = rails(cut(w)[:, 0])
+        value = rails(cut(w))
         return surface.part_at(value[:, :3] + w[:, None] * (value[:, 3:] - value[:, :3]))
 
     parts = part_at(FIBRES)
@@ -103,13 +131,28 @@ def _switches(cut, rails: Piecewise, surface: EndSurface) -> list[float]:
     return found
 
 
-def _brackets(name, rails, level, surface, end) -> tuple[np.ndarray, np.ndarray]:
-    """Places along the rails, and per fibre the last of them before it is cut."""
-    places = np.union1d(np.linspace(rails.start, rails.end, LOOKED_AT), rails.breaks)
-    value = rails(places)
-    points = value[:, None, :3] + FIBRES[:, None] * (value[:, None, 3:] - value[:, None, :3])
-    side, _ = surface.value_and_gradient(points.reshape(-1, 3))
-    stays = side.reshape(len(places), -1) >= 0.0
+def _brackets(name, levels, surface, end) -> list[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+    """Per surface of a plate, and between each two fibres: places along the rails before and
+    behind the cut, and about where it is."""
+    places = [
+        np.union1d(np.linspace(rails.start, rails.end, LOOKED_AT), rails.breaks) for rails in levels
+    ]
+    points = []
+    for rails, own in zip(levels, places, strict=True):
+        value = rails(own)
+        fibres = value[:, None, :3] + FIBRES[:, None] * (value[:, None, 3:] - value[:, None, :3])
+        points.append(fibres.reshape(-1, 3))
+    side, _ = surface.value_and_gradient(np.concatenate(points))
+    sides = np.split(side, np.cumsum([len(own) for own in points])[:-1])
+    return [
+        _bracket(name, level, end, own, side.reshape(len(own), -1))
+        for level, own, side in zip(LEVELS, places, sides, strict=True)
+    ]
+
+
+def _bracket(name, level, end, places, side) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """As `_brackets`, of one surface with the side (k, n) its fibres are on at places (k,)."""
+    stays = side >= 0.0
     changes = stays[1:] != stays[:-1]
     count = changes.sum(axis=0)
     far = stays[-1 if end == 0 else 0]
@@ -148,7 +191,13 @@ def _brackets(name, rails, level, surface, end) -> tuple[np.ndarray, np.ndarray]
                     limit=1,
                 )
             )
-    return places, np.argmax(changes, axis=0)
+    last = np.argmax(changes, axis=0)
+    fibre = np.arange(len(FIBRES))
+    before, behind = side[last, fibre], side[last + 1, fibre]
+    about = places[last] + before / (before - behind) * (places[last + 1] - places[last])
+    low = (np.minimum(last[:-1], last[1:]) - 1).clip(0)
+    high = (np.maximum(last[:-1], last[1:]) + 2).clip(None, len(places) - 1)
+    return places[low], places[high], 0.5 * (about[:-1] + about[1:])
 
 
 def fibre_cuts(
@@ -156,28 +205,39 @@ def fibre_cuts(
 ) -> np.ndarray:
     """Arc lengths (n,) between low and high (n,) where lines of constant w (n,) end, by Newton
     steps kept within the bracket."""
-    rate = rails.derivative
-    w = np.asarray(w, float)[:, None]
+    return _cuts([rails], surface, w, low[None], high[None])[0]
 
-    def on_fibre(values: np.ndarray) -> np.ndarray:
-        return values[:, :3] + w * (values[:, 3:] - values[:, :3])
+
+def _cuts(levels, surface, w, low, high, start=None, stays=None) -> np.ndarray:
+    """As `fibre_cuts`, of several surfaces at once: (m, n); start (m, n): about where; stays:
+    whether the plate stays at the low ends."""
+    w = np.asarray(w, float)[:, None]
+    rates = [rails.derivative for rails in levels]
+
+    def on_fibres(functions, s: np.ndarray) -> np.ndarray:
+        values = [function(own) for function, own in zip(functions, np.split(s, len(levels)))]
+        return np.concatenate([v[:, :3] + w * (v[:, 3:] - v[:, :3]) for v in values])
 
     def step(s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        value, gradient = surface.value_and_gradient(on_fibre(rails(s)))
-        return value, (gradient * on_fibre(rate(s))).sum(axis=1)
+        value, gradient = surface.value_and_gradient(on_fibres(levels, s))
+        return value, (gradient * on_fibres(rates, s)).sum(axis=1)
 
-    return bracketed_roots(step, low, high)
+    start = None if start is None else start.ravel()
+    return bracketed_roots(step, low.ravel(), high.ravel(), start, stays).reshape(low.shape)
 
 
-def bracketed_roots(step, low: np.ndarray, high: np.ndarray) -> np.ndarray:
-    """Roots (n,) between low and high of step(s) -> (value, slope), by Newton's method; where a
-    step leaves its bracket, the bracket is halved."""
+def bracketed_roots(
+    step, low: np.ndarray, high: np.ndarray, start: np.ndarray | None = None, stays=None
+) -> np.ndarray:
+    """Roots (n,) between low and high of step(s) -> (value, slope), by Newton's method from
+    `start` (half way where it is None); where a step leaves its bracket, the bracket is halved.
+    stays: whether the values at low are positive, where that is known."""
     low, high = np.array(low, float), np.array(high, float)
-    at_low = step(low)[0]
-    s = 0.5 * (low + high)
+    at_low = step(low)[0] >= 0.0 if stays is None else np.full(len(low), stays)
+    s = 0.5 * (low + high) if start is None else np.minimum(np.maximum(start, low), high)
     for _ in range(_STEPS):
         value, slope = step(s)
-        same = (value >= 0.0) == (at_low >= 0.0)
+        same = (value >= 0.0) == at_low
         low, high = np.where(same, s, low), np.where(same, high, s)
         with np.errstate(divide="ignore", invalid="ignore"):
             new = s - value / slope

@@ -26,6 +26,16 @@ def _rule(panels: int) -> tuple[np.ndarray, np.ndarray]:
     return ((start + 0.5 * (nodes + 1.0)) / panels).ravel(), np.tile(0.5 * weights / panels, panels)
 
 
+def _across(cut: EndCurves | None, d: float) -> tuple[np.ndarray, np.ndarray]:
+    """Gauss nodes w and weights (n,) on [0, 1] at a depth, with panels that end at the corners of
+    an end curve."""
+    corners = () if cut is None else cut.corners_at(d)
+    edges = np.unique(np.concatenate([np.linspace(0.0, 1.0, _PANELS + 1), corners]).clip(0.0, 1.0))
+    nodes, weights = _rule(1)
+    size = np.diff(edges)[:, None]
+    return (edges[:-1, None] + size * nodes).ravel(), (size * weights).ravel()
+
+
 def _lagrange(x: np.ndarray) -> np.ndarray:
     """Lagrange basis (n, 4) at 0, 1/3, 2/3 and 1."""
     basis = np.ones((len(x), 4))
@@ -43,10 +53,10 @@ def trimmed_area(development: Development, cuts: Sequence[EndCurves | None]) -> 
     with a correction the boundary is integrated instead (Green).
     """
     plane = development.plane
-    w, weights = _rule(_PANELS)
+    rules = [_across(cut, 0.5) for cut in cuts]
     ends = [
         np.full(len(w), (plane.start, plane.end)[k]) if cut is None else cut.at("mid", w)
-        for k, cut in enumerate(cuts)
+        for k, (cut, (w, _)) in enumerate(zip(cuts, rules, strict=True))
     ]
     if development.correction is None:
         value, slope = plane.values, plane.derivative.values
@@ -54,10 +64,13 @@ def trimmed_area(development: Development, cuts: Sequence[EndCurves | None]) -> 
         along = slope[..., 0] * np.cos(angle) + slope[..., 1] * np.sin(angle)
         strip = np.stack([value[..., 3] * along, value[..., 3] ** 2 * slope[..., 2]], axis=2)
         whole = Piecewise(plane.breaks, strip).antiderivative()
-        between = whole(ends[1]) - whole(ends[0])
-        return float((weights * (between[:, 0] - w * between[:, 1])).sum())
+        found = [
+            float((weights * (at[:, 0] - w * at[:, 1])).sum())
+            for at, (w, weights) in zip(map(whole, ends), rules, strict=True)
+        ]
+        return found[1] - found[0]
     total = 0.0
-    for k, cut in enumerate(cuts):
+    for k, (cut, (w, weights)) in enumerate(zip(cuts, rules, strict=True)):
         rate = 0.0 if cut is None else cut.mid.derivative(w)[:, :1]
         by_s, by_w = development.jacobian(ends[k], w)
         point, along = development.flat(ends[k], w), by_s * rate + by_w
@@ -164,32 +177,42 @@ def trimmed_figures(rails: StripRails, cuts: Sequence[EndCurves | None]) -> Trim
             density = (np.cross(across, through) * _mixed(rates, w, d)).sum(axis=1)[:, None]
             columns.append(density * np.concatenate([1.0 + 0.0 * density, _mixed(values, w, d)], 1))
     whole = along(columns)
-    (w, by_w), (d, by_d) = _rule(_PANELS), _rule(1)
-    w, d = np.repeat(w, len(d)), np.tile(d, len(w))
-    weights = np.repeat(by_w, len(by_d)) * np.tile(by_d, len(by_w))
-    basis = (_lagrange(w)[:, :, None] * _lagrange(d)[:, None, :]).reshape(len(w), 16, 1)
     moments, ends = np.zeros(4), []
     for k, cut in enumerate(cuts):
+        w, d, weights = _through(cut)
+        basis = (_lagrange(w)[:, :, None] * _lagrange(d)[:, None, :]).reshape(len(w), 16, 1)
         place = _ends_at(solid, cut, k, w, d)
         found = (whole(place).reshape(len(w), 16, 4) * basis).sum(axis=1)
         moments += (-1.0, 1.0)[k] * (weights[:, None] * found).sum(axis=0)
         ends.append(float((weights * _end_density(solid, cut, place, w, d)).sum()))
-    u, by_u = _rule(_PANELS)
-    zero = np.zeros(len(u))
     areas = []
-    for w, d in ((u, zero), (zero + 1.0, u), (u, zero + 1.0), (zero, u)):
-        on_edge = len(np.unique(w)) == 1
-        density = []
-        for one, two in zip(w, d, strict=True):
-            side = _spans(values, one, two)[int(on_edge)]
-            normal = np.cross(_mixed(rates, one, two), side)
-            density.append(np.sqrt((normal * normal).sum(axis=1))[:, None])
-        face = along(density)
-        own = [np.diagonal(face(_ends_at(solid, cut, k, w, d))) for k, cut in enumerate(cuts)]
-        areas.append(float((by_u * (own[1] - own[0])).sum()))
+    for edge, at in ((False, 0.0), (True, 1.0), (False, 1.0), (True, 0.0)):
+        own = []
+        for k, cut in enumerate(cuts):
+            u, by_u = _rule(_PANELS) if edge else _across(cut, at)
+            level = np.full(len(u), at)
+            w, d = (level, u) if edge else (u, level)
+            density = []
+            for one, two in zip(w, d, strict=True):
+                side = _spans(values, one, two)[int(edge)]
+                normal = np.cross(_mixed(rates, one, two), side)
+                density.append(np.sqrt((normal * normal).sum(axis=1))[:, None])
+            found = np.diagonal(along(density)(_ends_at(solid, cut, k, w, d)))
+            own.append(float((by_u * found).sum()))
+        areas.append(own[1] - own[0])
     return TrimmedFigures(
         float(abs(moments[0])), moments[1:] / moments[0] + origin, np.array(areas), tuple(ends)
     )
+
+
+def _through(cut: EndCurves | None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Gauss nodes w and d and weights (n,) over the end of a plate."""
+    depths, by_d = _rule(1)
+    rules = [_across(cut, float(d)) for d in depths]
+    w = np.concatenate([nodes for nodes, _ in rules])
+    d = np.repeat(depths, [len(nodes) for nodes, _ in rules])
+    weights = np.concatenate([by * own for by, (_, own) in zip(by_d, rules, strict=True)])
+    return w, d, weights
 
 
 def _spans(values: np.ndarray, w, d) -> tuple[np.ndarray, np.ndarray]:

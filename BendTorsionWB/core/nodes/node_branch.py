@@ -13,7 +13,7 @@ from ..finding import Finding, error
 from ..members.member import Member
 from ..plates.flat_plate import FlatPlate
 from .node_blend import Blend
-from .node_cut import NodeCut, landings, node_cut, outer_lines
+from .node_cut import NodeCut, NodeCuts, landings, node_cut, outer_lines
 from .node_faces import OuterFaces, outer_faces
 from .node_input import NodeInput, NodeRules
 from .node_record import FlangeStep
@@ -23,14 +23,17 @@ from .node_record import FlangeStep
 class Side:
     """One end of a branch at a node. way: +1 when the branch leaves the node along its +s, else
     -1. low, high: the least and greatest arc length its outer lines end at. seat: the stretch of
-    the through member's axis it lands on, mm. faces: names of the faces landed on."""
+    the through member's axis it lands on, mm. faces: names of the faces landed on, with the
+    member before those of other branches. on_arris: it lands on several faces of the through
+    member."""
 
     way: int
-    cut: NodeCut
+    cut: NodeCut | NodeCuts
     low: float
     high: float
     seat: tuple[float, float]
     faces: tuple[str, ...]
+    on_arris: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,7 +41,8 @@ class Branch:
     """A member that ends on another: its place s and the through member's (mm), acute angle (rad)
     and distance of the axes (mm), its one or two sides, what was asked for, its steps to the
     through member's faces, the diaphragms that continue its plates there (not numbered), its
-    blends, and the limits of its steps, mm, and of their angles, rad."""
+    blends, and the limits of its steps, mm, and of their angles, rad; what its sides (by way) are
+    cut by besides the through member."""
 
     member: str
     s: float
@@ -53,6 +57,7 @@ class Branch:
     diaphragms: tuple[FlatPlate, ...] = ()
     blends: tuple[Blend, ...] = ()
     limits: tuple[float, float] | None = None
+    against: tuple[tuple[int, NodeCut], ...] = ()
 
     @property
     def seat(self) -> tuple[float, float]:
@@ -68,7 +73,7 @@ class Branch:
 
     def at_node(self, name: str) -> Branch:
         """The branch with the node's name on its cuts."""
-        sides = tuple(replace(s, cut=replace(s.cut, node=name)) for s in self.sides)
+        sides = tuple(replace(s, cut=s.cut.named(name)) for s in self.sides)
         return replace(self, sides=sides)
 
 
@@ -86,9 +91,16 @@ def crossing_angle(one: Member, other: Member, s: float, t: float) -> float:
 
 
 def branch_at(
-    through: Member, other: Member, s: float, t: float, row: NodeInput, rules: NodeRules
+    through: Member,
+    other: Member,
+    s: float,
+    t: float,
+    row: NodeInput,
+    rules: NodeRules,
+    against: tuple[tuple[int, NodeCut], ...] = (),
 ) -> tuple[Branch | None, list[Finding]]:
-    """The branch `other` at t that meets `through` at s, or errors that name both members."""
+    """The branch `other` at t that meets `through` at s, or errors that name both members.
+    against: what its sides, by way, are cut by besides."""
     angle = crossing_angle(through, other, s, t)
     gap = rules.gap if row.gap is None else row.gap
     span = (reach(through) + reach(other)) / math.sin(angle) + 500.0
@@ -98,14 +110,26 @@ def branch_at(
     sides, findings = [], []
     for way in (-1, 1):
         cut = node_cut(row.name, faces, s, way * tangent, gap)
+        more = [own for side, own in against if side == way]
+        cut = NodeCuts((cut, *more)) if more else cut
         ends, points = landings(cut, lines, t)
         # What is left of the branch beyond its cut, at its longest and at its shortest line.
         left = ends if way < 0 else other.length - ends
         if left.max() <= tolerances.SAME_STATION:
             continue
-        side, seat, over = _side(way, cut, ends, points)
+        side, over = _side(way, cut, ends, points)
+        seat = side.seat
+        if not math.isfinite(seat[0]):
+            findings += _both(
+                "node-branches-overlap",
+                (row.through, row.other),
+                f"{row.other} lands on {' and '.join(side.faces)} only and not on {row.through}",
+                "end it there by a row of sheet Nodes, or move one of them along",
+                f"s = {s:.0f} mm of {row.through}",
+            )
+            continue
         sides.append(side)
-        findings += _side_findings(side, left, over, through, other, s, row, rules)
+        findings += _side_findings(side, over, other, s, row, rules)
         findings += _length_findings(side, left, through, other, s, row, rules)
         findings += _zone_findings(side, seat, through, other, s, row)
     if not sides:
@@ -123,22 +147,41 @@ def branch_at(
     breadth = 2.0 * reach(through)
     corner = len(sides) == 1 and (low < breadth or high > through.length - breadth)
     distance = float(np.linalg.norm(p - q))
-    return Branch(other.name, t, s, angle, distance, tuple(sides), row, gap, corner), []
+    made = Branch(other.name, t, s, angle, distance, tuple(sides), row, gap, corner)
+    return replace(made, against=against), []
 
 
 def _side(
-    way: int, cut: NodeCut, ends: np.ndarray, points: np.ndarray
-) -> tuple[Side, tuple[float, float], float]:
-    """The side, its seat, and how far its lines stand over the faces they land on, mm."""
-    on = cut.landed_on(points)
-    low, high, over = math.inf, -math.inf, 0.0
-    for face in sorted(set(on.tolist())):
-        s, w = cut.faces.foot(face, points[on == face])
-        low, high = min(low, float(s.min())), max(high, float(s.max()))
-        over = max(over, _overhang(cut.faces, cut.landing, face, s, w))
-    seat = (low, high)
-    names = tuple(cut.faces.names[face] for face in sorted(set(on.tolist())))
-    return Side(way, cut, float(ends.min()), float(ends.max()), seat, names), seat, over
+    way: int, cut: NodeCut | NodeCuts, ends: np.ndarray, points: np.ndarray
+) -> tuple[Side, tuple[float, str]]:
+    """The side, and how far, mm, its lines stand over a face they land on, at most, and which."""
+    on, parts = cut.part_at(points), cut.parts
+    low, high, over = math.inf, -math.inf, (0.0, "")
+    names, own = [], []
+    for k in sorted(set(on.tolist())):
+        part, (face,) = parts[k], parts[k].landing
+        s, w = part.faces.foot(face, points[on == k])
+        is_main = part.faces is cut.main.faces
+        names.append(part.faces.names[face] if is_main else _of_member(part.faces, face))
+        landing = [p.landing[0] for p in parts if p.faces is part.faces]
+        over = max(over, (_overhang(part.faces, landing, face, s, w), _of_member(part.faces, face)))
+        if is_main:
+            low, high = min(low, float(s.min())), max(high, float(s.max()))
+            own.append(face)
+    side = Side(
+        way,
+        cut,
+        float(ends.min()),
+        float(ends.max()),
+        (low, high),
+        tuple(names),
+        len(own) > 1,
+    )
+    return side, over
+
+
+def _of_member(faces: OuterFaces, face: int) -> str:
+    return f"{faces.member} {faces.names[face]}"
 
 
 def _overhang(faces: OuterFaces, landing, face: int, s: np.ndarray, w: np.ndarray) -> float:
@@ -163,21 +206,22 @@ def _both(code, names, message, mend, position, value=None, limit=None, unit="")
 
 
 def _side_findings(
-    side: Side, left, over, through: Member, other: Member, s, row, rules
+    side: Side, over: tuple[float, str], other: Member, s, row, rules
 ) -> list[Finding]:
     """A branch that stands over the face it lands on."""
     cell = next((c for c in other.law.cells if c.start <= row_place(side) <= c.end), None)
     cell = cell or other.law.cells[0 if row_place(side) < 0 else -1]
     limit = rules.overhang * float(min(cell.thickness))
-    if over <= limit:
+    if over[0] <= limit:
         return []
+    member, _, face = over[1].rpartition(" ")
     return _both(
         "branch-wider-than-face",
-        (row.through, row.other),
-        f"{row.other} stands over the {' and '.join(side.faces)} face of {row.through}",
+        (member, row.other),
+        f"{row.other} stands over the {face} face of {member}",
         "make it lower or narrower, align it, or let it run through",
         f"s = {s:.0f} mm of {row.through}",
-        over,
+        over[0],
         limit,
         "mm",
     )

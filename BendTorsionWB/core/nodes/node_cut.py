@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -54,6 +54,15 @@ class NodeCut:
         return np.stack(values)[most, n], np.stack(normals)[most, n]
 
     @property
+    def main(self) -> NodeCut:
+        """The cut by the member that runs through."""
+        return self
+
+    def named(self, node: str) -> NodeCut:
+        """The cut with the node's name."""
+        return replace(self, node=node)
+
+    @property
     def parts(self) -> tuple[NodeCut, ...]:
         """The cut at each of its faces; where they meet it has a corner."""
         if len(self.landing) == 1:
@@ -75,9 +84,42 @@ class NodeCut:
         values = [self.faces.distance(face, points)[0] for face in self.landing]
         return np.argmax(values, axis=0)
 
-    def landed_on(self, points: np.ndarray) -> np.ndarray:
-        """Which of the faces (n,) governs at points (n, 3)."""
-        return np.array(self.landing)[self.part_at(points)]
+
+@dataclass(frozen=True, eq=False)
+class NodeCuts:
+    """What a branch is cut by that ends on other branches besides the member that runs through:
+    the first cut is that by the member that runs through. What stays is beyond all of them."""
+
+    cuts: tuple[NodeCut, ...]
+
+    @property
+    def main(self) -> NodeCut:
+        return self.cuts[0]
+
+    def named(self, node: str) -> NodeCuts:
+        """The cuts with the node's name."""
+        return NodeCuts(tuple(cut.named(node) for cut in self.cuts))
+
+    def value_and_gradient(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """As `NodeCut`, of the cut farthest beyond which a point is."""
+        found = [cut.value_and_gradient(points) for cut in self.cuts]
+        values = np.stack([value for value, _ in found])
+        least = np.argmin(values, axis=0)
+        n = np.arange(len(points))
+        return values[least, n], np.stack([gradient for _, gradient in found])[least, n]
+
+    @property
+    def parts(self) -> tuple[NodeCut, ...]:
+        """The parts of all cuts."""
+        return tuple(part for cut in self.cuts for part in cut.parts)
+
+    def part_at(self, points: np.ndarray) -> np.ndarray:
+        """Which of the parts (n,), by index, governs at points (n, 3)."""
+        values = np.stack([cut.value_and_gradient(points)[0] for cut in self.cuts])
+        counts = [len(cut.parts) for cut in self.cuts]
+        first = np.concatenate([[0], np.cumsum(counts)[:-1]])
+        within = np.stack([cut.part_at(points) for cut in self.cuts]) + first[:, None]
+        return within[np.argmin(values, axis=0), np.arange(len(points))]
 
 
 def node_cut(
@@ -99,7 +141,7 @@ def node_cut(
 
 
 def landings(
-    cut: NodeCut,
+    cut: NodeCut | NodeCuts,
     lines: Piecewise,
     start: float,
 ) -> tuple[np.ndarray, np.ndarray]:

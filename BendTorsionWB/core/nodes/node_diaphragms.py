@@ -18,6 +18,7 @@ from ..geometry.vectors import crossed
 from ..members.member import Member
 from ..members.strips import rails_between
 from ..plates.flat_plate import FlatPlate
+from ..plates.flat_room import separation
 from ..sections.section import Material
 from .node_branch import Branch
 from .node_cut import landings
@@ -63,7 +64,7 @@ def node_diaphragms(
     if branch.row.diaphragms == "none":
         return (), ()
     wanted = FLANGES if branch.row.diaphragms == "flanges" else ("top", "bottom", "left", "right")
-    if any(len(side.faces) > 1 for side in branch.sides):
+    if any(side.on_arris for side in branch.sides):
         return (), (
             note(
                 "node-diaphragm-arris",
@@ -91,7 +92,7 @@ def _diaphragm(node, through, other, branch, index, rules):
     thickness, material = float(cell.thickness[index]), cell.materials[index]
     edges = _landing_edges(other, branch, index)
     plane = _plane(edges, branch)
-    faces = branch.sides[0].cut.faces
+    faces = branch.sides[0].cut.main.faces
     walls = np.array(faces.walls)
     name = f"{node}, {strip.face} of {other.name}"
     if strip.face in FLANGES:
@@ -136,6 +137,38 @@ def _welded(on_wall: list[bool], names: list[str], rules) -> tuple[tuple[str, in
     return tuple(found)
 
 
+def side_by_side(
+    node: str, through: Member, flats: list[tuple[Branch, FlatPlate]], rules: NodeRules
+) -> tuple[list[tuple[Branch, FlatPlate]], list[Finding]]:
+    """The diaphragms of a node's branches without those that run into one of an earlier branch,
+    and warnings for these and for such that leave no room to weld between them."""
+    kept: list[tuple[Branch, FlatPlate]] = []
+    findings = []
+    for branch, flat in flats:
+        rooms = [separation(flat, other) for own, other in kept if own is not branch]
+        room = min(rooms, default=np.inf)
+        if room > 0.0:
+            kept.append((branch, flat))
+        if room >= rules.access:
+            continue
+        what = "leaves no room to weld beside" if room > 0.0 else "is left out, as it runs into"
+        findings.append(
+            warning(
+                "node-diaphragms-meet",
+                through.name,
+                f"a diaphragm that continues a plate of {branch.member} {what} one of another "
+                "branch",
+                "set the diaphragms of one branch to none and give one for both by sheet "
+                "Diaphragms, or move the branches apart",
+                position=f"{node}, s = {branch.s_through:.0f} mm",
+                value=room,
+                limit=rules.access,
+                unit="mm",
+            )
+        )
+    return kept, findings
+
+
 def _flat(through, thickness, material: Material, frame, outline, branch, holes, titles, welded):
     return FlatPlate(
         through.name,
@@ -177,7 +210,7 @@ def _landing_edges(other: Member, branch: Branch, index: int) -> list[np.ndarray
         mid = rails_between(other, [(index, low, high)])[0].mid
         one, two = mid.values[..., :3], mid.values[..., 3:]
         lines = Piecewise(mid.breaks, np.concatenate([one, 0.5 * (one + two), two], axis=2))
-        found.append(landings(side.cut, lines, 0.5 * (side.low + side.high))[1])
+        found.append(landings(side.cut.main, lines, 0.5 * (side.low + side.high))[1])
     return found
 
 
@@ -189,7 +222,8 @@ def _plane(edges: list[np.ndarray], branch: Branch) -> _Plane:
         origin = 0.5 * (edges[0][1] + edges[1][1])
     else:
         (side,) = branch.sides
-        normal = side.cut.planes[0][1]
+        cut = side.cut.main
+        normal = cut.planes[int(cut.part_at(edges[0][1:2])[0])][1]
         across = edges[0][2] - edges[0][0]
         # Into the through member, square to the ruling.
         x = -side.way * normal

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Plates that end at a node, read off the records: length of the cut, bevel and dihedral along it."""
+"""Plates that end at a node, as records tell: length of the cut, bevel and dihedral along it."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ class PlateEnd:
     """The end line `E-1` or `E-2` of a branch's plate at a node.
 
     way: +1 where the branch leaves the node along its +s. corners (k, 3): outer corners of the
-    cut, and those between the surfaces it ends on. length: mm along the cut. face: it ends on. bevel (2,): at the
-    corners, rad, the angle of the cut against square, positive where the outer face is the longer.
-    dihedral (2,): rad, between plate and face on the inner side.
+    cut, and those between the surfaces it ends on. length: mm along the cut. face: it ends on.
+    bevel (2,): at the corners, rad, the angle of the cut against square, positive where the outer
+    face is the longer. dihedral (2,): rad, between plate and face on the inner side.
     """
 
     plate: DevelopedPlate

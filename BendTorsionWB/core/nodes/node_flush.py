@@ -32,7 +32,7 @@ def _of_side(through: Member, other: Member, side: Side, s_through: float) -> li
     span = side.high - side.low + 100.0
     corners = other.corners(max(side.low - span, 0.0), min(side.high + span, other.length))
     near = 0.5 * (side.low + side.high)
-    faces, found = side.cut.faces, []
+    faces, found = side.cut.main.faces, []
     thickness = wall_thickness(through, s_through)
     for strip in other.law.strips:
         pair = np.concatenate(
@@ -73,7 +73,7 @@ def _normals(rails: Piecewise, s: np.ndarray, inward: int) -> np.ndarray:
 def _alike(faces: OuterFaces, side: Side, s: float, normal: np.ndarray) -> int | None:
     """The face, not landed on, that looks along the normal."""
     for face in range(len(faces.names)):
-        if face not in side.cut.landing and float(faces.plane(face, s)[1] @ normal) > ALIKE:
+        if face not in side.cut.main.landing and float(faces.plane(face, s)[1] @ normal) > ALIKE:
             return face
     return None
 

@@ -90,8 +90,8 @@ def _correction(through, member: Member, branch: Branch, way: int, face: str, ow
     at = member.frames.at(s)
     cell = next(c for c in member.law.cells if s[0] <= c.end or c is member.law.cells[-1])
     plane = cell.corners_at(s)[0]
-    k = next(k for k, name in enumerate(side.cut.faces.names) if name == own[0].through_face)
-    _, up, _ = side.cut.faces.plane(k, branch.s_through)
+    k = next(k for k, name in enumerate(side.cut.main.faces.names) if name == own[0].through_face)
+    _, up, _ = side.cut.main.faces.plane(k, branch.s_through)
     rows, right = [], []
     for edge, corner in zip(names, (strip.first, strip.second), strict=True):
         arm = plane[corner, 0] * at.y[0] + plane[corner, 1] * at.z[0]

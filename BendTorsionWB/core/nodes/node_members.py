@@ -8,8 +8,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..finding import BendTorsionError, error
 from ..members.member import Member, MemberEnd, MemberGap
 from ..plates.flat_plate import FlatPlate
+from ..plates.flat_room import separation
 from .node_blend import Blend, check_blends, with_blends
 from .node_branch import Branch
 from .node_record import NodeRecord
@@ -90,7 +92,29 @@ def with_nodes(member: Member, given: MemberNodes) -> Member:
 
 
 def numbered(member: Member, others: Sequence[FlatPlate]) -> tuple[FlatPlate, ...]:
-    """The diaphragms nodes put inside a member, marked after its others."""
+    """The diaphragms nodes put inside a member, marked after its others; raises BendTorsionError
+    where one runs into another of them."""
+    meeting = [
+        (own, other)
+        for k, own in enumerate(member.inserts)
+        for other in (*others, *member.inserts[:k])
+        if separation(own, other) <= 0.0
+    ]
+    if meeting:
+        raise BendTorsionError(
+            error(
+                "diaphragms-meet",
+                member.name,
+                f"a diaphragm of a node at s = {own.s:.0f} mm runs into "
+                f"{other.mark or 'that of another node'} at s = {other.s:.0f} mm",
+                "move the row of sheet Diaphragms, or set the diaphragms of the node to none",
+                position=f"s = {own.s:.0f} mm",
+                value=separation(own, other),
+                limit=0.0,
+                unit="mm",
+            )
+            for own, other in meeting
+        )
     first = 1 + sum(flat.letter == "D" for flat in others)
     return tuple(
         replace(flat, mark=f"{member.name}-D{number}")

@@ -11,14 +11,14 @@ import numpy as np
 
 from ..finding import Finding, error
 from ..members.member import Member
+from .node_beside import Beside, both_pass, cut_beside
 from .node_blend import with_blends
-from .node_branch import Branch, branch_at, reach
-from .node_diaphragms import node_diaphragms
-from .node_faces import outer_faces
+from .node_branch import Branch, branch_at
+from .node_diaphragms import node_diaphragms, side_by_side
 from .node_flush import flange_steps, flush_findings
 from .node_flushing import blended
 from .node_input import NodeInput, NodeRules
-from .node_meetings import Meeting, line_points, meetings_of, places_of, resolved, unfit
+from .node_meetings import Meeting, meetings_of, places_of, resolved, unfit
 
 DEFAULT_RULES = NodeRules()
 
@@ -84,10 +84,15 @@ def find_nodes(
             branch, faults = branch_at(through, other, *places_of(meeting, chosen), chosen, rules)
         made.append((meeting, chosen, branch, faults))
     branches: list[tuple[str, Branch]] = []
+    pairs: list[Beside] = []
     for meeting, chosen, branch, faults in made:
         within = _within_a_node(meeting, [(c.through, b) for _, c, b, _ in made if b])
         if within:
-            findings += _beside(*within, members)
+            through, one, other = within
+            if len(one.sides) == 2 and len(other.sides) == 2:
+                findings += both_pass(through, one, other)
+            else:
+                pairs.append(Beside(through, one, other, chosen))
             continue
         findings += faults
         if branch is not None:
@@ -108,14 +113,15 @@ def find_nodes(
         for index, row in enumerate(rows)
         if index not in used and not _in_error(row, findings)
     ]
-    failed = {(f.object, f.position) for f in findings if f.code in _OF_BRANCHES}
+    failed = {(f.object, f.position) for f in findings if f.code == "node-three-through"}
     branches = [
         (through, branch)
         for through, branch in branches
         if (branch.member, _seat_text(branch, through)) not in failed
     ]
     named = _named(_grouped(branches, members, rules), list(members))
-    nodes = [_detailed(node, members, rules, findings) for node in named]
+    nodes = [_detailed(node, members, rules, pairs, findings) for node in named]
+    nodes = [node for node in nodes if node.branches]
     met = frozenset(frozenset((m.one, m.other)) for m in meetings)
     return Found(tuple(nodes), tuple(findings), met)
 
@@ -125,17 +131,25 @@ def _in_error(row: NodeInput, findings: Sequence[Finding]) -> bool:
 
 
 def _detailed(
-    node: Node, members: Mapping[str, Member], rules: NodeRules, findings: list[Finding]
+    node: Node,
+    members: Mapping[str, Member],
+    rules: NodeRules,
+    pairs: Sequence[Beside],
+    findings: list[Finding],
 ) -> Node:
-    """The node with the steps and the diaphragms of its branches."""
+    """The node with its branches cut at each other, with their steps and diaphragms."""
     through, branches = members[node.through], []
-    for branch in node.branches:
+    cut, faults = cut_beside(through, node.branches, members, pairs, node.name, rules)
+    findings += faults
+    for branch in cut:
         other = members[branch.member]
         branch = replace(branch, steps=flange_steps(through, other, branch))
         if branch.row.blend:
 
             def again(member: Member, own: Branch = branch) -> Branch | None:
-                found, _ = branch_at(through, member, own.s_through, own.s, own.row, rules)
+                found, _ = branch_at(
+                    through, member, own.s_through, own.s, own.row, rules, own.against
+                )
                 return found and found.at_node(node.name)
 
             branch, faults = blended(node.name, through, other, branch, again)
@@ -147,7 +161,17 @@ def _detailed(
         findings += faults
         limits = (rules.flange_step, rules.flange_angle)
         branches.append(replace(branch, diaphragms=made, limits=limits))
-    return replace(node, branches=tuple(branches))
+    flats, faults = side_by_side(
+        node.name, through, [(own, flat) for own in branches for flat in own.diaphragms], rules
+    )
+    findings += faults
+    return replace(
+        node,
+        branches=tuple(
+            replace(own, diaphragms=tuple(flat for one, flat in flats if one is own))
+            for own in branches
+        ),
+    )
 
 
 def _within_a_node(
@@ -174,56 +198,6 @@ def _takes(branch: Branch, place: float) -> bool:
 
 def _seat_text(branch: Branch, through: str) -> str:
     return f"s = {branch.s_through:.0f} mm of {through}"
-
-
-_OF_BRANCHES = ("node-three-through", "node-branches-overlap")
-
-
-def _beside(
-    through: str, one: Branch, other: Branch, members: Mapping[str, Member]
-) -> list[Finding]:
-    """Errors of two branches of one node that both pass through it, or overlap outside it."""
-    names = f"{one.member}, {other.member} and {through}"
-    if len(one.sides) == 2 and len(other.sides) == 2:
-        code, message = "node-three-through", f"{names} all pass through one place"
-        mend, value, limit, unit = "end one of them at the node, or move it along", 3, 2, ""
-    else:
-        depth = _overlap(one, other, members)
-        if depth <= 0.0:
-            return []
-        code = "node-branches-overlap"
-        message = f"{one.member} and {other.member} overlap where they land on {through}"
-        mend, value, limit, unit = "move one of them along", depth, 0.0, "mm"
-    return [
-        error(
-            code,
-            branch.member,
-            message,
-            mend,
-            position=_seat_text(branch, through),
-            value=value,
-            limit=limit,
-            unit=unit,
-        )
-        for branch in (one, other)
-    ]
-
-
-def _overlap(one: Branch, other: Branch, members: Mapping[str, Member]) -> float:
-    """How deep, mm, lines of one branch lie in what is left of another beyond the node."""
-    deepest = 0.0
-    for a, b in ((one, other), (other, one)):
-        if not members[b.member].law.sections[0].closed:
-            continue
-        span = 4.0 * (reach(members[a.member]) + reach(members[b.member]))
-        faces = outer_faces(members[b.member], b.s - span, b.s + span)
-        points = line_points(members[a.member], a.s, span)
-        inside = faces.inside(points)
-        for near in a.sides:
-            for far in b.sides:
-                kept = [side.cut.value_and_gradient(points)[0] for side in (near, far)]
-                deepest = max(deepest, float(np.minimum.reduce([-inside, *kept]).max()))
-    return deepest
 
 
 def _grouped(

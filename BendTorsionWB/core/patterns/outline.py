@@ -33,7 +33,7 @@ def outline_in_plane(development: Development, plate: Plate) -> list[np.ndarray]
         [run[::-1] for run in reversed(runs[len(plate.rails.mid_folds) + 1 :])],
     )
     end, start = (
-        _end_line(development, s, a, b) if cut is None else _cut_line(development, cut, a, b)
+        [_end_line(development, s, a, b)] if cut is None else _cut_line(development, cut, a, b)
         for s, cut, a, b in zip(
             (plate.end, plate.start),
             plate.cuts[::-1],
@@ -42,7 +42,7 @@ def outline_in_plane(development: Development, plate: Plate) -> list[np.ndarray]
             strict=True,
         )
     )
-    return [*forth, end, *back, start]
+    return [*forth, *end, *back, *start]
 
 
 def _along(
@@ -79,14 +79,25 @@ def _end_line(development: Development, s: float, a: np.ndarray, b: np.ndarray) 
     return np.concatenate([[a], points[1:-1], [b]])
 
 
-def _cut_line(development: Development, cut: EndCurves, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """The end line along a cut from a to b, mapped point by point."""
+def _cut_line(
+    development: Development, cut: EndCurves, a: np.ndarray, b: np.ndarray
+) -> list[np.ndarray]:
+    """The end line along a cut from a to b, mapped point by point, a run per smooth stretch."""
 
-    def mapped(count: int) -> np.ndarray:
-        w = np.linspace(0.0, 1.0, count)
+    def mapped(low: float, high: float, count: int) -> np.ndarray:
+        w = np.linspace(low, high, count)
         return development.flat(cut.at("mid", w), w)
 
-    points = mapped(int(_chord_counts(mapped(33)[None])[0]) + 1)
-    forwards = ((points[0] - a) ** 2).sum() < ((points[-1] - a) ** 2).sum()
-    points = points if forwards else points[::-1]
-    return np.concatenate([[a], points[1:-1], [b]])
+    probes = [mapped(*part, 33)[None] for part in cut.stretches]
+    runs = [
+        mapped(*part, int(_chord_counts(probe)[0]) + 1)
+        for part, probe in zip(cut.stretches, probes, strict=True)
+    ]
+    ends = runs[0][0], runs[-1][-1]
+    if ((ends[0] - a) ** 2).sum() > ((ends[1] - a) ** 2).sum():
+        runs = [run[::-1] for run in reversed(runs)]
+    for before, after in zip(runs[:-1], runs[1:], strict=True):
+        after[0] = before[-1]
+    runs[0] = np.concatenate([[a], runs[0][1:]])
+    runs[-1] = np.concatenate([runs[-1][:-1], [b]])
+    return runs

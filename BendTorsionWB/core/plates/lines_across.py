@@ -150,8 +150,11 @@ class CutLinesAcross(LinesAcross):
         return lengths
 
     def _cut_length(self, k: int, points) -> float:
-        w = np.linspace(0.0, 1.0, measure.FINEST + 1)
-        return float(measure.sampled_lengths(points(self._along_cut(k, w), w)[None])[0])
+        total = 0.0
+        for low, high in self.plate.cuts[k].stretches:
+            w = np.linspace(low, high, measure.FINEST + 1)
+            total += float(measure.sampled_lengths(points(self._along_cut(k, w), w)[None])[0])
+        return total
 
     def panel_areas(self, along: np.ndarray, across: np.ndarray) -> np.ndarray:
         one, two = self.flat[1:, 1] - self.flat[:-1, 0], self.flat[1:, 0] - self.flat[:-1, 1]

@@ -131,7 +131,11 @@ def _ends(plate: DevelopedPlate, welds, step: float) -> Iterator[EdgeBevel]:
 def _weld_of(part: EndPart, welds) -> Weld | None:
     """The weld at a node that a stretch of a cut end is prepared for."""
     return next(
-        (w for w in welds if w.kind == "node" and w.start == part.s.min() and w.end == part.s.max()),
+        (
+            w
+            for w in welds
+            if w.kind == "node" and w.start == part.s.min() and w.end == part.s.max()
+        ),
         None,
     )
 

@@ -39,22 +39,31 @@ def groove(prep: Prep, part: EndPart) -> Prep:
 
 
 def branch_welds(
-    plates: Sequence[DevelopedPlate], nodes: Sequence[NodeRecord], defaults
+    plates: Sequence[DevelopedPlate], nodes: Sequence[NodeRecord], rows, defaults, used: set
 ) -> Iterator[Weld]:
     """The welds of plates that end on other members at nodes, plate by plate; of a stub in the
-    shop, of a direct branch in the field. The second plate is told by member and face. defaults:
-    `welds.WeldDefaults`."""
+    shop, of a direct branch in the field. The second plate is told by member and face. rows:
+    `welds.EdgeTreatment`s, those that hold go to `used`; defaults: `welds.WeldDefaults`."""
     stubs = {(node.node, node.other) for node in nodes if node.type == "stub"}
     for plate in plates:
-        for end, parts in enumerate(plate.ends):
+        for parts in plate.ends:
             for part in parts:
                 if not part.node:
                     continue
                 short = plate.mark.split("-")[-1]
+                alike = [p for own in plate.ends for p in own if p.node == part.node]
+                more = f".{part.member}.{part.face}" if len(alike) > 1 else ""
+                row = next((r for r in reversed(rows) if r.where in (part.node, "nodes")), None)
+                if row is not None:
+                    used.add(row)
                 place = "shop" if (part.node, plate.member) in stubs else "field"
-                way = "" if plate.ends[1 - end] == () or _alone(plate, part) else f"@{end + 1}"
+                place = row.place if row and row.place else place
+                ndt = defaults.ndt_field if place == "field" else defaults.ndt_shop
+                prep = groove(defaults.branch, part)
+                if row and row.prep:
+                    prep = replace(row.prep, gap=part.gap)
                 yield Weld(
-                    f"{plate.member}-{part.node}-{short}/{part.member}.{part.face}{way}",
+                    f"{plate.member}-{part.node}-{short}{more}",
                     plate.member,
                     plate.piece,
                     "node",
@@ -65,20 +74,10 @@ def branch_welds(
                     part.length,
                     (plate.thickness, part.thickness),
                     float(np.mean(part.dihedral)),
-                    groove(defaults.branch, part),
+                    prep,
                     place,
-                    defaults.ndt_field if place == "field" else defaults.ndt_shop,
+                    row.ndt if row and row.ndt else ndt,
                 )
-
-
-def _alone(plate: DevelopedPlate, part: EndPart) -> bool:
-    """True when no other stretch of the plate's ends has the node and the face of this one."""
-    alike = [
-        own
-        for own in (*plate.ends[0], *plate.ends[1])
-        if (own.node, own.member, own.face) == (part.node, part.member, part.face)
-    ]
-    return len(alike) == 1
 
 
 def diaphragm_welds(

@@ -12,9 +12,9 @@ from .preps import Prep
 class Weld:
     """One weld. mark: unique in the project. kind: `seam`, `lane` (between lanes of one face),
     `joint`, `node` (of a branch on the member that runs through) or `diaphragm`. plates: the first
-    is the one that is cut to fit the other, which at a node is told by member and face. start, end: arc length on the axis, mm. length: along the weld,
-    mm. thickness: of both plates, mm. dihedral: mean angle between the plates on the inner side,
-    rad. place: `shop` or `field`."""
+    is the one that is cut to fit the other, which at a node is told by member and face. start,
+    end: arc length on the axis, mm. length: along the weld, mm. thickness: of both plates, mm.
+    dihedral: mean angle between the plates on the inner side, rad. place: `shop` or `field`."""
 
     mark: str
     member: str

@@ -32,7 +32,8 @@ SHORTEST_WELD = 1.0
 
 @dataclass(frozen=True)
 class EdgeTreatment:
-    """One row of the Edges sheet: a seam, a joint or `joints` (all of them), between two arc
+    """One row of the Edges sheet: a seam, a joint or `joints` (all of them), a node the member ends
+    on another at or `nodes`, between two arc
     lengths (mm; with the ratio flag a part of the axis length), with preparation, place (`shop`,
     `field`) and test; None and empty for the defaults."""
 
@@ -85,7 +86,7 @@ def welds_of(
     walls = [plate for plate in plates if plate.face in order]
     used: set[EdgeTreatment] = set()
     welds = [*_seams(walls, strips, rows, defaults, used), *_joints(walls, rows, defaults, used)]
-    welds += branch_welds(walls, nodes, defaults)
+    welds += branch_welds(walls, nodes, rows, defaults, used)
     welds += diaphragm_welds([p for p in plates if p.face == "diaphragm"], walls, defaults)
     numbers = {id(row.prep): k for k, row in enumerate(rows, start=1) if row.prep}
     faults = {}
@@ -101,7 +102,7 @@ def welds_of(
             "edge-row-unused",
             member,
             f"no weld of the member is {row.where} in that range",
-            "name a seam such as TL, a joint such as T1/T2, or joints for all of them",
+            "name a seam such as TL, a joint such as T1/T2, a node, joints or nodes for all",
             position=f"edge {number}",
         )
         for number, row in enumerate(rows, start=1)

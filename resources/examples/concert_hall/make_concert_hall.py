@@ -242,7 +242,15 @@ def workbook(cells=None, headings=HEADINGS, choices=CHOICES) -> Workbook:
                 for (below,) in sheet[f"{letter}2:{letter}{sheet.max_row}"]:
                     below.number_format = NUMBER_FORMATS[column]
             if column in choices:
-                listed = DataValidation("list", formula1=f'"{choices[column]}"', allow_blank=True)
+                # What is told of a wrong entry is said in full: openpyxl 3.1 would tell nothing.
+                listed = DataValidation(
+                    "list",
+                    formula1=f'"{choices[column]}"',
+                    allow_blank=True,
+                    showErrorMessage=True,
+                    showInputMessage=True,
+                    showDropDown=None,
+                )
                 listed.add(f"{letter}2:{letter}1000")
                 sheet.add_data_validation(listed)
     book.properties.creator = "BendTorsion"

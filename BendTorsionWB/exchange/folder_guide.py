@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What lies in the output folder, for those who receive it: README.txt and a list in the report."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator, Sequence
+
+README = "README.txt"
+
+_ALWAYS = ("report.html", "results.xlsx", "report.json")
+
+GUIDE = (
+    ("report.html", "start here: pictures, figures against limits, findings, list of plates"),
+    ("sheets/set.pdf", "all drawings in one file"),
+    ("sheets/general_arrangement.pdf", "all members in plan and elevation, and their list"),
+    ("sheets/nodes.pdf", "a drawing of each node"),
+    ("sheets/<member>.pdf", "drawings of one member: assembly, welds, bed, plates"),
+    ("plates/<mark>.dxf", "flat pattern of one plate, 1:1, mm: contour to cut, lines to mark"),
+    ("nc1/<mark>.nc1", "the same plate for machines that read DSTV"),
+    ("plates/all/<thickness> <grade>.dxf", "all plates of one thickness and grade side by side"),
+    ("nesting.csv", "parts with quantity, size, grade, DXF file and rolling direction"),
+    ("templates/<member>-<line>.dxf", "outline of the section at a line, for a board to check it"),
+    ("results.xlsx", "bill of materials, points, lines, welds, beds, control points, checks"),
+    ("report.json", "figures and findings for other programs"),
+    ("model.ifc", "solids of all plates with quantities, placed on the site"),
+    ("model.step", "solids of all plates, named and coloured, in model coordinates"),
+    ("model/<number>.ifc", "the same for a group of members"),
+    ("model/<number>.step", "the same for a group of members"),
+    ("model.FCStd", "the FreeCAD document"),
+    ("revision.xlsx", "every plate against the last issue"),
+)
+"""Files by name, what stands in <> varies, and what is in them."""
+
+_WORDS = """
+Lengths are mm, areas mm2, masses kg, angles degrees.
+
+Marks: M12-T3 is the third plate along member M12 on its top face (T top, B bottom, L left,
+R right, seen along the member with its surface above). Every plate has a mark of its own;
+plates that are equal share a part mark, mirror images never do.
+
+Patterns are seen from the marking face that is written on them. They are gross: with the
+allowances for shrinkage and fit-up of the schedule. "contour" on the pattern says the edge of
+which face is drawn: mid (middle of the thickness), top (the marked face), root, widest, inner
+or outer. The root opening of a weld is not taken off the plate. Grooves are told by the texts
+on layer MARK_BEVEL, by the bevel fields of NC1 and by sheet Bevels; the solids of STEP and IFC
+are without them.
+
+Layers of the DXF files: CUT_OUTER, CUT_INNER to cut; MARK_LINE, MARK_FOLD, MARK_ROLL,
+MARK_TEXT, MARK_BEVEL to mark; PUNCH to punch; REF for information only.
+"""
+
+
+def rows(names: Collection[str]) -> Iterator[tuple[str, str]]:
+    """The rows of GUIDE that files with these names, relative to the folder, belong to."""
+    known = {*names, *_ALWAYS}
+    taken: set[str] = set()
+    for name, what in GUIDE:
+        parts = re.split("<[^>]+>", name)
+        pattern = re.compile("[^/]+".join(map(re.escape, parts)))
+        found = {own for own in known if pattern.fullmatch(own)} - taken
+        taken |= found
+        if found:
+            yield name, what
+
+
+def readme(project: str, version: str, listed: Sequence[tuple[str, str]]) -> str:
+    """The text of README.txt; project: its title, version: of the program; listed: as `rows`."""
+    wide = max(len(name) for name, _ in listed)
+    title = f"Fabrication package {project}".rstrip()
+    lines = [title, "=" * len(title), f"Written by BendTorsion {version}.", ""]
+    lines += [f"{name:{wide}}  {what}" for name, what in listed]
+    return "\n".join(lines) + "\n" + _WORDS

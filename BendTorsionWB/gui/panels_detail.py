@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Task panels of what follows plates: flat patterns, assembly beds, nodes, drawing sheets."""
+
+from __future__ import annotations
+
+import FreeCAD
+
+from BendTorsionWB.gui.preview import Preview
+from BendTorsionWB.gui.property_form import PropertyForm
+from BendTorsionWB.gui.qt import QtWidgets
+from BendTorsionWB.gui.task_panel import TaskPanel
+
+translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+PATTERN_ROWS = (
+    ("Mode", QT_TRANSLATE_NOOP("BendTorsion", "Laying flat by")),
+    ("FlattenedSurface", QT_TRANSLATE_NOOP("BendTorsion", "Surface laid flat")),
+    ("MarkingFace", QT_TRANSLATE_NOOP("BendTorsion", "Marked and seen from")),
+    ("Contour", QT_TRANSLATE_NOOP("BendTorsion", "Contour of bevelled edges")),
+)
+ALLOWANCE_ROWS = (
+    ("ShrinkageAlong", QT_TRANSLATE_NOOP("BendTorsion", "Shrinkage along, mm/m")),
+    ("ShrinkageAcross", QT_TRANSLATE_NOOP("BendTorsion", "Shrinkage across, mm/m")),
+    ("JointAllowance", QT_TRANSLATE_NOOP("BendTorsion", "Per butt joint, mm")),
+    ("DiaphragmAllowance", QT_TRANSLATE_NOOP("BendTorsion", "Per diaphragm, mm")),
+    ("GreenStart", QT_TRANSLATE_NOOP("BendTorsion", "Green at the start, mm")),
+    ("GreenEnd", QT_TRANSLATE_NOOP("BendTorsion", "Green at the end, mm")),
+    ("Splice", QT_TRANSLATE_NOOP("BendTorsion", "Joints welded")),
+)
+BED_ROWS = (
+    ("Face", QT_TRANSLATE_NOOP("BendTorsion", "Face that lies down")),
+    ("Plane", QT_TRANSLATE_NOOP("BendTorsion", "Plane of the bed")),
+    ("Normal", QT_TRANSLATE_NOOP("BendTorsion", "Upward direction x, y, z")),
+    ("SaddleSpacing", QT_TRANSLATE_NOOP("BendTorsion", "Saddles every")),
+    ("SeatHeight", QT_TRANSLATE_NOOP("BendTorsion", "Lowest seat above the floor")),
+    ("PinPitch", QT_TRANSLATE_NOOP("BendTorsion", "Pitch of the pin grid (0: none)")),
+    ("LowestPin", QT_TRANSLATE_NOOP("BendTorsion", "Lowest pin above its base")),
+    ("TemplatePitch", QT_TRANSLATE_NOOP("BendTorsion", "Templates every")),
+    ("TemplateLines", QT_TRANSLATE_NOOP("BendTorsion", "Templates besides at")),
+    ("Clearance", QT_TRANSLATE_NOOP("BendTorsion", "Clearance of templates")),
+)
+NODE_ROWS = (
+    ("Node", QT_TRANSLATE_NOOP("BendTorsion", "Name of the node")),
+    ("Through", QT_TRANSLATE_NOOP("BendTorsion", "Runs through")),
+    ("Other", QT_TRANSLATE_NOOP("BendTorsion", "Ends on it")),
+    ("ThroughBy", QT_TRANSLATE_NOOP("BendTorsion", "Which runs through, by")),
+    ("Place", QT_TRANSLATE_NOOP("BendTorsion", "About where, if they meet twice")),
+    ("Type", QT_TRANSLATE_NOOP("BendTorsion", "Type")),
+    ("Gap", QT_TRANSLATE_NOOP("BendTorsion", "Root gap")),
+    ("StubLength", QT_TRANSLATE_NOOP("BendTorsion", "Length of the stub")),
+    ("Diaphragms", QT_TRANSLATE_NOOP("BendTorsion", "Diaphragms inside")),
+    ("Blend", QT_TRANSLATE_NOOP("BendTorsion", "Make flush")),
+    ("RulePack", QT_TRANSLATE_NOOP("BendTorsion", "Rules")),
+)
+SHEET_ROWS = (
+    ("Project", QT_TRANSLATE_NOOP("BendTorsion", "Project")),
+    ("Author", QT_TRANSLATE_NOOP("BendTorsion", "Drawn by")),
+    ("Bed", QT_TRANSLATE_NOOP("BendTorsion", "Assembly bed")),
+    ("PlatePages", QT_TRANSLATE_NOOP("BendTorsion", "A page for each plate")),
+    ("SheetFormat", QT_TRANSLATE_NOOP("BendTorsion", "Format")),
+    ("SheetStandard", QT_TRANSLATE_NOOP("BendTorsion", "Standard")),
+    ("SheetLanguage", QT_TRANSLATE_NOOP("BendTorsion", "Language")),
+    ("SheetUnit", QT_TRANSLATE_NOOP("BendTorsion", "Unit")),
+)
+
+
+def _rows(declared) -> list[tuple[str, str]]:
+    return [(name, translate("BendTorsion", label)) for name, label in declared]
+
+
+class _InSight(TaskPanel):
+    """A panel whose object is to be seen while it is edited, hidden as it may be otherwise."""
+
+    def show(self) -> None:
+        """Open it; the object comes into sight."""
+        self.hidden = [obj for obj in self.preview.objects if not obj.ViewObject.Visibility]
+        for obj in self.hidden:
+            obj.ViewObject.Visibility = True
+        super().show()
+
+    def _end(self, finish) -> None:
+        if not self.closed and not self.preview.create:
+            for obj in self.hidden:
+                obj.ViewObject.Visibility = False
+        super()._end(finish)
+
+
+class DevelopmentPanel(_InSight):
+    """How the plates of a member are laid flat, and what they are cut larger by."""
+
+    def __init__(self, preview: Preview):
+        title = translate("BendTorsion", "Development")
+        super().__init__(preview, title, "BendTorsion_Development")
+        self.unfold = preview.objects[0]
+        self.add_form(PropertyForm(preview.objects, _rows(PATTERN_ROWS), self.changed))
+        form = PropertyForm(preview.objects, _rows(ALLOWANCE_ROWS), self.changed)
+        self.add_form(form, translate("BendTorsion", "Cut larger by"))
+        self.figures = QtWidgets.QLabel()
+        self.body.addWidget(self.figures)
+
+    def show_findings(self) -> None:
+        """With the number of patterns and their worst length error."""
+        super().show_findings()
+        text = translate("BendTorsion", "{count} patterns, lengths within {off:.4f} mm")
+        self.figures.setText(
+            text.format(count=len(self.unfold.Marks), off=self.unfold.LengthErrorMax)
+        )
+
+
+class BedPanel(_InSight):
+    """What the pieces of a member lie on while they are put together."""
+
+    def __init__(self, preview: Preview):
+        title = translate("BendTorsion", "Assembly bed")
+        super().__init__(preview, title, "BendTorsion_AssemblyBed")
+        self.bed = preview.objects[0]
+        self.fields = PropertyForm(preview.objects, _rows(BED_ROWS), self.changed)
+        self.add_form(self.fields)
+        self.figures = QtWidgets.QLabel()
+        self.body.addWidget(self.figures)
+
+    def show_findings(self) -> None:
+        """With the number of saddles, and the direction where it counts."""
+        super().show_findings()
+        names = {name for name, _ in BED_ROWS}
+        self.fields.show_rows(names - (set() if self.bed.Plane == "normal" else {"Normal"}))
+        text = translate("BendTorsion", "{count} saddles, lying on: {faces}")
+        faces = ", ".join(translate("BendTorsion", face) for face in self.bed.DownFaces)
+        self.figures.setText(text.format(count=len(self.bed.Saddles), faces=faces))
+
+
+class NodePanel(TaskPanel):
+    """How one member ends on another."""
+
+    def __init__(self, preview: Preview):
+        super().__init__(preview, translate("BendTorsion", "Node"), "BendTorsion_Node")
+        self.node = preview.objects[0]
+        kinds = {"Through": "Member", "Other": "Member"}
+        self.fields = PropertyForm(preview.objects, _rows(NODE_ROWS), self.changed, kinds)
+        self.add_form(self.fields)
+        self.figures = QtWidgets.QLabel()
+        self.body.addWidget(self.figures)
+
+    def show_findings(self) -> None:
+        """With what kind of node it is, and the length of a stub where there is one."""
+        super().show_findings()
+        names = {name for name, _ in NODE_ROWS}
+        self.fields.show_rows(names - (set() if self.node.Type == "stub" else {"StubLength"}))
+        text = translate("BendTorsion", "{kind}, angle {angle:.1f}°, axes {off:.2f} mm apart")
+        self.figures.setText(
+            text.format(
+                kind=translate("BendTorsion", self.node.Kind) or "-",
+                angle=self.node.CrossingAngle.Value,
+                off=self.node.AxisDistance.Value,
+            )
+        )
+
+
+class SheetsPanel(TaskPanel):
+    """How the drawing sheets of a member look."""
+
+    def __init__(self, preview: Preview):
+        super().__init__(preview, translate("BendTorsion", "Sheets"), "BendTorsion_Sheets")
+        self.sheets = preview.objects[0]
+        rows = _rows(SHEET_ROWS)
+        self.add_form(PropertyForm(preview.objects, rows, self.changed, {"Bed": "AssemblyBed"}))
+        self.figures = QtWidgets.QLabel()
+        self.body.addWidget(self.figures)
+
+    def show_findings(self) -> None:
+        """With the number of pages."""
+        super().show_findings()
+        text = translate("BendTorsion", "{count} pages")
+        self.figures.setText(text.format(count=self.sheets.PageCount))

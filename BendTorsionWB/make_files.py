@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The scripting API of open documents and files: schedules in and out, package, report, check.
+
+Each raises BendTorsionError for what it cannot do, and leaves no half-made document or file.
+"""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from contextvars import ContextVar
+from pathlib import Path
+
+import FreeCAD
+
+from BendTorsionWB.core.finding import BendTorsionError, Finding
+from BendTorsionWB.document import build_document
+from BendTorsionWB.document_export import export_document, records_of, write_figures
+from BendTorsionWB.document_templates import new_document
+from BendTorsionWB.model_files import checked_recompute
+from BendTorsionWB.project import BuildResult, Progress, detail_members, read_jobs, silent
+from BendTorsionWB.round_trip import write_back
+
+PROGRESS: ContextVar[Progress] = ContextVar("progress", default=silent)
+"""What is told how far the work is; it may raise to stop it."""
+
+
+def open_schedule(path: str | os.PathLike, sheets: bool = False):
+    """A new document with the members of a schedule, recomputed; sheets: with drawing sheets.
+    Raises BendTorsionError for an invalid schedule."""
+    report = PROGRESS.get()
+    schedule, jobs = read_jobs(path)
+    _, lost = detail_members(schedule, jobs, progress=report)
+    if lost:
+        raise BendTorsionError(lost)
+    document = build_document(schedule, jobs, sheets=sheets, hidden=False)
+    try:
+        objects = list(reversed(document.TopologicalSortedObjects))
+        for done, obj in enumerate(objects, start=1):
+            obj.recompute()
+            report("document", done, len(objects))
+        document.recompute()
+    except BaseException:
+        FreeCAD.closeDocument(document.Name)
+        raise
+    document.Label = Path(path).stem
+    document.clearUndos()
+    return document
+
+
+def open_template(template: str, path: str | os.PathLike):
+    """A new document from a template of `document_templates`, saved at path and opened."""
+    new_document(template, path)
+    return FreeCAD.openDocument(os.fspath(path))
+
+
+def write_schedule(document, path: str | os.PathLike) -> tuple[Finding, ...]:
+    """Write an open document as a schedule; a warning for each thing a schedule cannot say."""
+    PROGRESS.get()("writing and reading it again", 0, 1)
+    active = FreeCAD.ActiveDocument
+    try:
+        return write_back(document, path)
+    finally:
+        _activate(active)
+
+
+def write_package(document, folder: str | os.PathLike) -> BuildResult:
+    """Write the cut files, sheets, models, workbook and report of an open document, as the command
+    line's `export` does of a saved one."""
+    active = FreeCAD.ActiveDocument
+    with tempfile.TemporaryDirectory() as beside:
+        copy = Path(beside) / "document.FCStd"
+        document.recompute()
+        document.saveCopy(str(copy))
+        try:
+            return export_document(copy, folder, workers=1, progress=PROGRESS.get())
+        finally:
+            _activate(active)
+
+
+def write_report(document, path: str | os.PathLike) -> None:
+    """Write the figures of an open document as a workbook, or as JSON when the name ends so."""
+    report = PROGRESS.get()
+    report("figures", 0, 2)
+    given = records_of(document)
+    report("writing", 1, 2)
+    write_figures(given, path)
+
+
+def check(document) -> tuple[Finding, ...]:
+    """Recompute an open document; the errors of all its objects."""
+    return checked_recompute(document)
+
+
+def _activate(document) -> None:
+    if document is not None:
+        FreeCAD.setActiveDocument(document.Name)

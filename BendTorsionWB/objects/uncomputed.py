@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What FreeCAD could not compute, and what depends on it, emptied and told.
+
+FreeCAD computes no object with an expression that fails or a cell that is none, nor what depends on
+it, and leaves all of these as they were, up to date by their looks.
+"""
+
+from __future__ import annotations
+
+import FreeCAD
+
+from BendTorsionWB.core.finding import error
+
+
+class AfterRecompute:
+    """Document observer that looks after each recompute for what was left as it was."""
+
+    def __init__(self):
+        self.registered = False
+
+    def register(self) -> None:
+        """Be told of recomputes from now on."""
+        if not self.registered:
+            FreeCAD.addDocumentObserver(self)
+            self.registered = True
+
+    def slotRecomputedDocument(self, document) -> None:
+        """Put in error what FreeCAD did not compute."""
+        left = [obj for obj in document.Objects if not obj.isValid()]
+        if left:
+            empty_dependants(document, left)
+
+
+after_recompute = AfterRecompute()
+
+
+def empty_dependants(document, left) -> None:
+    """Put in error the objects FreeCAD could not compute, and have those that depend on them see
+    it, the nearest first."""
+    from BendTorsionWB.objects.proxy import type_of, write_findings
+
+    behind = {user.Name for obj in left for user in obj.InListRecursive}
+    names = {obj.Name for obj in left}
+    below = {obj.Name: len(obj.OutListRecursive) for obj in document.Objects}
+    for obj in sorted(document.Objects, key=lambda obj: below[obj.Name]):
+        if not type_of(obj) or obj.Name not in behind | names:
+            continue
+        causes = [
+            cause
+            for cause in (obj, *obj.OutList)
+            if cause.Name in names and not (cause is not obj and type_of(cause))
+        ]
+        if causes:
+            obj.Proxy.clear(obj)
+            write_findings(obj, [_finding(cause) for cause in causes])
+        else:
+            obj.Proxy.execute(obj)
+        if obj.isValid():
+            obj.purgeTouched()
+
+
+def _finding(obj):
+    return error(
+        "object-invalid",
+        obj.Label,
+        f"FreeCAD cannot compute it: {obj.getStatusString()}",
+        "mend its expressions and the cells and objects it uses",
+    )

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A document exported is the package of its schedule, preparations and site too."""
+
+import re
+
+import openpyxl
+import pytest
+from package_build import SITE, rows
+
+from BendTorsionWB.document_export import export_document, source_records, write_figures
+
+pytestmark = pytest.mark.slow
+
+NUMBER = re.compile(rb"-?\d+\.\d*(?:E[+-]?\d+)?")
+
+
+@pytest.fixture(scope="module")
+def exported(built, tmp_path_factory):
+    """The folder of a build and that of the export of its document."""
+    _, out, _ = built
+    target = tmp_path_factory.mktemp("exported")
+    result = export_document(out / "model.FCStd", target, workers=1)
+    assert not result.failed
+    return out, target
+
+
+def names(folder):
+    return {
+        str(path.relative_to(folder))
+        for path in folder.rglob("*")
+        if path.is_file() and ".cache" not in path.parts and not path.name.startswith(".")
+    }
+
+
+def test_every_file_of_the_build_is_there_and_the_same_to_the_byte(exported):
+    out, target = exported
+    of_schedule = {"model.FCStd", "timing.json"}
+    assert names(out) - names(target) <= of_schedule and not names(target) - names(out)
+    common = names(target) - {"model.step", "report.html", "README.txt"}
+    assert {"model.ifc", "results.xlsx", "report.json", "nesting.csv"} <= common
+    differing = [n for n in sorted(common) if (out / n).read_bytes() != (target / n).read_bytes()]
+    assert differing == []
+    # Both name the files of their folder; the export holds no FreeCAD document.
+    for name in ("report.html", "README.txt"):
+        one, other = ((folder / name).read_text().splitlines() for folder in exported)
+        assert [line for line in one if "model.FCStd" not in line] == other
+
+
+def test_the_step_file_differs_in_last_digits_at_most(exported):
+    one, other = ((folder / "model.step").read_bytes() for folder in exported)
+    assert NUMBER.sub(b"#", one) == NUMBER.sub(b"#", other)
+    for a, b in zip(NUMBER.findall(one), NUMBER.findall(other), strict=True):
+        # Curves on faces are saved with twelve digits.
+        assert float(a) == pytest.approx(float(b), rel=1e-11, abs=1e-9)
+
+
+def test_preparations_and_site_of_a_document_reach_its_tables(exported, tmp_path):
+    out, target = exported
+    # The same table without a folder, as the command report writes it.
+    alone = tmp_path / "figures.xlsx"
+    write_figures(source_records(out / "model.FCStd"), alone)
+    for path in (target / "results.xlsx", alone):
+        book = openpyxl.load_workbook(path, data_only=True)
+        backed = [row for row in rows(book["Welds"]) if row["backing"]]
+        assert {(row["angle"], row["land"], row["gap"]) for row in backed} == {(40.0, 4.0, 4.0)}
+        row = rows(book["Control"])[0]
+        assert row["site_z"] == pytest.approx(row["z"] + SITE["site_z"])
+        turned = row["x"] * 3**0.5 / 2 - row["y"] / 2 + SITE["site_x"]
+        assert row["site_x"] == pytest.approx(turned)

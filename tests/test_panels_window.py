@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Task panels of every kind: opened by a double-click, live, refusing what cannot be, by keys."""
+
+import pytest
+from freecad_window import ROOT, run_in_window
+from test_command_table import PROMISED
+
+SCRIPT = ROOT / "tests" / "window" / "panels_session.py"
+PICTURES = ROOT / "build" / "pictures" / "panels"
+KINDS = ("Ground", "M1-axis", "B", "M1", "M1 plates", "M1 patterns", "M1 bed", "N1", "M1 sheets")
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.fixture(scope="module")
+def window(tmp_path_factory):
+    """What one session saw."""
+    folder = tmp_path_factory.mktemp("panels")
+    return run_in_window(SCRIPT, folder, time_limit=400, pictures=PICTURES)
+
+
+def step(window, name):
+    """What a step saw; fails with its traceback when it broke off."""
+    assert "failed" not in window[name], window[name]["failed"]
+    return window[name]
+
+
+@pytest.mark.parametrize("label", KINDS)
+def test_a_double_click_edits_every_kind_of_object(window, label):
+    """The value shows while it is typed; Cancel leaves no trace, OK one undo step."""
+    seen = step(window, "double_clicks")[label]
+    assert seen["Cancel typed"] and seen["Ok typed"]
+    assert seen["Cancel"] == [True, 0]
+    assert seen["Ok"] == [False, 1]
+    assert seen["status"] == "ok" and not seen["open"]
+    assert seen["undone"]
+
+
+def test_what_no_quantity_can_be_is_told_at_the_field(window):
+    """Nothing, another unit, words, unknown names in an expression: OK is off until mended."""
+    seen = step(window, "refused")
+    for text in ("", "5 k", "two", "=Nothing.here", "="):
+        allowed, tip, told = seen[text]
+        assert not allowed, text
+        assert tip and tip in told, text
+    assert "missing" in seen[""][1] and "cannot be read" in seen["two"][1]
+    assert "expression" in seen["=Nothing.here"][1]
+    assert seen["mended"] == [True, False]
+
+
+def test_an_expression_is_kept_in_one_undo_step(window):
+    """2 · 600 mm + 1 m, in the document and in the macro."""
+    seen = step(window, "refused")
+    assert seen["bound"] == [True, 2200.0]
+    assert seen["kept"][0] == 2200.0 and seen["kept"][1][0][0].lstrip(".") == "SaddleSpacing"
+    assert len(seen["undo"]) == 1
+    assert seen["undone"] == [2000.0, []]
+
+
+def test_what_the_checks_refuse_cannot_be_accepted(window):
+    """A gap that leaves nothing of the branch: the node is in error, OK is off, Cancel mends."""
+    seen = step(window, "refused")
+    status, allowed = seen["by the checks"]
+    assert status.startswith("error") and not allowed
+    assert seen["cancelled"] == [3.0, "ok", []]
+
+
+def test_joints_are_moved_added_and_removed_by_keys(window):
+    """Down goes to the next joint, Right moves it by 10 mm, Ins divides the longest plate, a place
+    can be typed, Del removes; each rule is told with its figure and its limit."""
+    seen = step(window, "by_keys")
+    assert seen["first"][0] == 3000.0
+    assert seen["second moved"] == [3000.0, 6010.0]
+    assert seen["added"] == [3000.0, 4505.0, 6010.0]
+    assert 5000.0 in seen["typed"] and len(seen["typed"]) == 3
+    assert seen["beyond"][:2] == [seen["typed"], False] and "between" in seen["beyond"][2]
+    assert len(seen["removed"]) == 2 and 5000.0 not in seen["removed"]
+    for words in ("shorter plate beside it", "at least 600", "joint of the next face (left)"):
+        assert words in seen["first"][1]
+    assert "#c62828" in seen["verdict"] or "#2e7d32" in seen["verdict"]
+    assert len(seen["undo"]) == 1 and seen["undone"] == [3000.0, 6000.0]
+
+
+def test_context_menus_offer_what_suits(window):
+    """By the kind selected; nothing with nothing selected. The menu has every command."""
+    seen = step(window, "context_menus")
+    found = seen["found"]
+    assert found["nothing"] == []
+    assert {"Plates", "Splits", "Development", "CutPoint"} <= set(found["M1 plates"])
+    assert {"Member", "ShowFrames"} == set(found["M1-axis"])
+    assert found["B"] == ["Section"] and found["N1"] == ["Node"]
+    assert found["M1 bed"] == ["AssemblyBed"]
+    assert "Surface" in found["face"] and "Plates" not in found["face"]
+    assert "Axis" in found["edge"] and found["vertex"] == ["Axis"]
+    assert {words for words, _ in PROMISED.values()} <= set(seen["menu"])
+
+
+def test_long_work_can_be_stopped_and_leaves_nothing(window):
+    seen = step(window, "stopped")
+    assert seen["bars"] and seen["shown"] == []
+    assert seen["status"] == "Stopped"
+    assert seen["same"] and seen["undo"] == []
+
+
+@pytest.mark.parametrize("name", ["member", "surface", "project"])
+def test_the_document_templates_open_in_the_window(window, name):
+    """Recomputed whole, with their plates to be seen and nothing in error."""
+    seen = step(window, "templates")[name]
+    assert seen["shown"] == [] and seen["file"] and seen["wrong"] == []
+    assert seen["members"] >= 1 and seen["seen"]
+
+
+def test_no_exception_in_the_report_view(window):
+    assert "Traceback" not in window["report_view"]

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs inside FreeCAD's window: drawing pages of a document saved without a window."""
+
+import os
+import sys
+
+import FreeCAD
+import FreeCADGui
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import steps
+
+
+def pages():
+    """Pages wait until they are opened; then they follow edits, undo, and are kept in the file."""
+    import TechDraw
+
+    document = FreeCAD.openDocument(os.environ["BENDTORSION_WINDOW_DOCUMENT"])
+    found = [item for item in document.Objects if item.isDerivedFrom("TechDraw::DrawPage")]
+
+    def drawn(page):
+        views = [view for view in page.Views if view.isDerivedFrom("TechDraw::DrawViewPart")]
+        return [page.KeepUpdated, sum(len(view.getVisibleEdges()) for view in views)]
+
+    result = {"before": [drawn(page) for page in found]}
+    first, second, third = found[:3]
+    first.ViewObject.doubleClicked()
+    result["opened"] = [drawn(first), drawn(second)]
+    steps.settle()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    steps.picture("view_page")
+    path = os.path.join(os.environ["HOME"], "page.dxf")
+    TechDraw.writeDXFPage(second, path)
+    with open(path, encoding="utf-8") as file:
+        lines = file.read().split()
+    result["dxf"] = [drawn(second), lines.count("LINE") + lines.count("POLYLINE")]
+    document.openTransaction("open a page")
+    third.ViewObject.doubleClicked()
+    document.abortTransaction()
+    steps.settle()
+    result["taken_back"] = drawn(third)
+    symbol = next(view for view in first.Views if getattr(view, "BT_Type", "") == "PageSymbol")
+    before = symbol.Symbol
+    document.getObjectsByLabel("B")[0].Height = 640.0
+    document.recompute()
+    result["edited"] = [symbol.Symbol != before, drawn(first)]
+    for page in (first, second, third):
+        page.ViewObject.hide()
+    steps.settle()
+    path = os.path.join(os.environ["HOME"], "again.FCStd")
+    document.saveAs(path)
+    first.ViewObject.doubleClicked()
+    name = first.Name
+    FreeCAD.closeDocument(document.Name)
+    again = FreeCAD.openDocument(path)
+    steps.settle()
+    page = again.getObject(name)
+    result["again"] = [drawn(page)]
+    page.ViewObject.doubleClicked()
+    result["again"].append(drawn(page))
+    steps.settle()
+    return result
+
+
+steps.run(pages)

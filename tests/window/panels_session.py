@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs inside FreeCAD's window: panels of every kind, refusals, keys, templates, stopping."""
+
+import os
+import sys
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import steps
+from commands_aids import ok_enabled, panel_text, whole_document
+from hands import asked, field, key, named, press, retype, run, select, window
+
+FOLDER = os.path.dirname(os.environ["BENDTORSION_WINDOW_RESULT"])
+
+
+def double_clicks():
+    """Each kind opens its panel by a double-click; a value edited shows at once; Cancel takes it
+    back; OK keeps it as one undo step."""
+    document = whole_document("Panels")
+    edits = (
+        ("Ground", "Offset", "30 mm", 30.0),
+        ("M1-axis", "EndExtension", "1 m", 1000.0),
+        ("B", "Height", "450 mm", 450.0),
+        ("M1", "OffsetZ", "-20 mm", -20.0),
+        ("M1 plates", "StationSpacing", "400 mm", 400.0),
+        ("M1 patterns", "GreenEnd", "25", 25.0),
+        ("M1 bed", "SaddleSpacing", "1500 mm", 1500.0),
+        ("N1", "Gap", "5 mm", 5.0),
+        ("M1 sheets", "Project", "Hall", "Hall"),
+    )
+    result = {}
+    for label, name, text, wanted in edits:
+        obj = named(label)
+        seen = {}
+        for finish in ("Cancel", "Ok"):
+            before = _value(obj, name)
+            obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+            steps.settle(3)
+            retype(field(name), text)
+            line = field(name)
+            if isinstance(line, QtGui.QLineEdit):
+                line.editingFinished.emit()
+            steps.settle(5)
+            seen[f"{finish} typed"] = _value(obj, name) == wanted
+            steps.picture(f"panel_{obj.BT_Type}")
+            press(finish)
+            seen[finish] = [before == _value(obj, name), len(document.UndoNames)]
+        seen["status"] = obj.Status
+        seen["open"] = bool(FreeCADGui.Control.activeDialog())
+        document.undo()
+        document.recompute()
+        seen["undone"] = _value(obj, name) == before
+        document.clearUndos()
+        result[label] = seen
+    return result
+
+
+def _value(obj, name):
+    value = getattr(obj, name)
+    return getattr(value, "Value", value)
+
+
+def refused():
+    """Texts no quantity can be: the reason at the field, OK off; nothing is kept."""
+    document = FreeCAD.ActiveDocument
+    bed = named("M1 bed")
+    select(bed)
+    run("AssemblyBed")
+    result = {}
+    for text in ("", "5 k", "two", "=Nothing.here", "="):
+        retype(field("SaddleSpacing"), "1 m")
+        field("SaddleSpacing").findChild(QtGui.QLineEdit).clear()
+        retype(field("SaddleSpacing"), text)
+        result[text] = [ok_enabled(), field("SaddleSpacing").toolTip(), panel_text()]
+    steps.picture("refused")
+    retype(field("SaddleSpacing"), "1200 mm")
+    result["mended"] = [ok_enabled(), bool(field("SaddleSpacing").styleSheet())]
+    retype(field("SaddleSpacing"), "=2 * 600 mm + 1 m")
+    steps.settle(5)
+    result["bound"] = [ok_enabled(), bed.SaddleSpacing.Value]
+    press("Ok")
+    result["kept"] = [bed.SaddleSpacing.Value, [list(e) for e in bed.ExpressionEngine]]
+    result["undo"] = document.UndoNames
+    document.undo()
+    document.recompute()
+    result["undone"] = [bed.SaddleSpacing.Value, list(bed.ExpressionEngine)]
+    document.clearUndos()
+    select(named("N1"))
+    run("Node")
+    retype(field("Gap"), "90 m")
+    steps.settle(6)
+    result["by the checks"] = [named("N1").Status, ok_enabled()]
+    press("Cancel")
+    result["cancelled"] = [named("N1").Gap.Value, named("N1").Status, document.UndoNames]
+    return result
+
+
+def by_keys():
+    """A section edited and a joint moved, added and removed without the mouse."""
+    document = FreeCAD.ActiveDocument
+    plates = named("M1 plates")
+    select(plates)
+    run("Splits")
+    view = window().findChildren(QtGui.QGraphicsView)[-1]
+    view.setFocus()
+    result = {}
+    key(view, QtCore.Qt.Key_Down)
+    steps.settle(2)
+    result["first"] = [field("place").property("rawValue"), _verdict()]
+    key(view, QtCore.Qt.Key_Down)
+    key(view, QtCore.Qt.Key_Right)
+    steps.settle(6)
+    result["second moved"] = list(plates.JointsTop)
+    key(view, QtCore.Qt.Key_Insert)
+    steps.settle(6)
+    result["added"] = list(plates.JointsTop)
+    retype(field("place"), "5 m")
+    steps.settle(6)
+    result["typed"] = list(plates.JointsTop)
+    result["verdict"] = _verdict()
+    steps.picture("split_keys")
+    retype(field("place"), "80 m")
+    result["beyond"] = [list(plates.JointsTop), ok_enabled(), field("place").toolTip()]
+    retype(field("place"), "5 m")
+    view.setFocus()
+    key(view, QtCore.Qt.Key_Delete)
+    steps.settle(6)
+    result["removed"] = list(plates.JointsTop)
+    press("Ok")
+    result["undo"] = document.UndoNames
+    document.undo()
+    document.recompute()
+    result["undone"] = list(plates.JointsTop)
+    return result
+
+
+def _verdict():
+    return field("verdict", QtGui.QLabel).text()
+
+
+def context_menus():
+    """What the context menu offers for each kind of selection."""
+    from BendTorsionWB.gui import commands
+
+    document = FreeCAD.ActiveDocument
+    box = document.addObject("Part::Box", "Box")
+    document.recompute()
+    found = {}
+    chosen = {label: named(label) for label in ("M1", "M1 plates", "M1-axis", "B", "N1", "M1 bed")}
+    chosen |= {"face": (box, "Face1"), "edge": (box, "Edge1"), "vertex": (box, "Vertex1")}
+    for label, item in chosen.items():
+        select(item)
+        found[label] = [name.removeprefix("BendTorsion_") for name in commands.suited()]
+    FreeCADGui.Selection.clearSelection()
+    found["nothing"] = commands.suited()
+    menu = [
+        action.text().replace("&", "")
+        for submenu in window().findChildren(QtGui.QMenu)
+        for action in submenu.actions()
+    ]
+    return {"found": found, "menu": menu}
+
+
+def stopped():
+    """Cancel while patterns of many members are made: nothing of it stays."""
+    from BendTorsionWB.gui import commands_plates, progress
+
+    document = FreeCAD.ActiveDocument
+    before = sorted(item.Name for item in document.Objects)
+    bars = []
+    watch = QtCore.QTimer()
+
+    def stop():
+        for bar in window().findChildren(QtGui.QProgressDialog):
+            if bar.isVisible():
+                bars.append(bar.labelText())
+                bar.cancel()
+
+    watch.timeout.connect(stop)
+    watch.start(1)
+    patience = commands_plates.PATIENCE
+    commands_plates.PATIENCE = 0.0
+    document.clearUndos()
+    try:
+        with asked():
+            select(*(item for item in document.Objects if getattr(item, "BT_Type", "") == "Member"))
+            shown = run("AssemblyBed")
+    finally:
+        commands_plates.PATIENCE = patience
+        watch.stop()
+    status = window().statusBar().currentMessage()
+    return {
+        "bars": bars[:1],
+        "shown": shown,
+        "status": status,
+        "patience": progress.PATIENCE,
+        "same": before == sorted(item.Name for item in document.Objects),
+        "undo": document.UndoNames,
+    }
+
+
+def templates():
+    """Each document template opens from the command, computed and without errors."""
+    from BendTorsionWB.document_templates import template_titles
+
+    result = {}
+    for name, title in template_titles().items():
+        path = os.path.join(FOLDER, f"{name}.FCStd")
+        with asked(choice=title, save_file=path):
+            shown = run("Example")
+        document = FreeCAD.ActiveDocument
+        for item in document.Objects:
+            item.touch()
+        document.recompute()
+        ours = [item for item in document.Objects if hasattr(item, "BT_Type")]
+        steps.picture(f"template_{name}")
+        result[name] = {
+            "shown": shown,
+            "file": document.FileName == path,
+            "members": sum(item.BT_Type == "Member" for item in ours),
+            "wrong": [f"{i.Label}: {i.Status}" for i in ours if getattr(i, "Status", "ok") != "ok"],
+            "seen": any(item.ViewObject.Visibility for item in ours if item.BT_Type == "PlateSet"),
+        }
+        FreeCAD.closeDocument(document.Name)
+    return result
+
+
+steps.run(double_clicks, refused, by_keys, context_menus, stopped, templates)
