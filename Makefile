@@ -5,7 +5,7 @@ RUFF = ruff==0.17.6
 EXAMPLE = resources/examples/concert_hall/concert_hall.xlsx
 DEMO = build/concert_hall
 DATA = $(or $(XDG_DATA_HOME),$(HOME)/.local/share)
-MOD = $(or $(FREECAD_USER_HOME),$(DATA)/FreeCAD)/Mod
+USER_FOLDER = $(or $(FREECAD_USER_HOME),$(DATA)/FreeCAD)
 
 .PHONY: demo test test-optional install lint format benchmark tutorial translations findings check-structure coverage mutants release packages clean
 
@@ -32,11 +32,15 @@ build/optional/bin/python: Makefile
 	@touch $@
 
 install: packages  ## link this checkout into FreeCAD's Mod folder
-	@mkdir -p "$(MOD)"
-	@if [ -e "$(MOD)/BendTorsion" ] && [ ! -L "$(MOD)/BendTorsion" ]; then \
-		echo "$(MOD)/BendTorsion exists and is not a link: move it away first" >&2; exit 1; fi
-	@ln -sfn "$(CURDIR)" "$(MOD)/BendTorsion"
-	@echo "Linked $(MOD)/BendTorsion: restart FreeCAD and choose the BendTorsion workbench."
+	@# FreeCAD 1.1 has a folder per release, v1-1 and so on, where it was not there before 1.1.
+	@set -e; for folder in "$(USER_FOLDER)" "$(USER_FOLDER)"/v[0-9]*-[0-9]*; do \
+		case "$$folder" in *"/v[0-9]*-[0-9]*") continue ;; esac; \
+		mod="$$folder/Mod"; mkdir -p "$$mod"; \
+		if [ -e "$$mod/BendTorsion" ] && [ ! -L "$$mod/BendTorsion" ]; then \
+			echo "$$mod/BendTorsion exists and is not a link: move it away first" >&2; exit 1; fi; \
+		ln -sfn "$(CURDIR)" "$$mod/BendTorsion"; \
+		echo "Linked $$mod/BendTorsion: restart FreeCAD and choose the BendTorsion workbench."; \
+	done
 
 lint: build/ruff/bin/ruff  ## check style and formatting; needs python3-venv and PyPI
 	@build/ruff/bin/ruff check .

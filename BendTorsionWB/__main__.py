@@ -12,6 +12,7 @@ from importlib.util import find_spec
 from BendTorsionWB import __version__, freecad_path
 from BendTorsionWB.console import Progress, print_findings
 from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.exchange.outside_files import outside_allowed
 
 GOOD, FAILED, INVALID = 0, 1, 2
 
@@ -40,7 +41,8 @@ def main(arguments: list[str] | None = None) -> int:
             return INVALID
     _progress.quiet = getattr(options, "quiet", False)
     try:
-        return options.run(options)
+        with outside_allowed(getattr(options, "outside_files", False)):
+            return options.run(options)
     except BendTorsionError as problem:
         _progress.end()
         for finding in problem.findings:
@@ -82,19 +84,21 @@ def _parser() -> argparse.ArgumentParser:
         _build,
         "build a schedule into a folder",
         *(_schedule, _out, _only, _jobs, _no_model, _no_sheets, _svg, _split, _status, _force),
+        _outside_files,
     )
     command(
         "update",
         _build,
         "bring the documents of a folder up to a changed schedule, and its files",
         *(_schedule, _out, _only, _jobs, _no_sheets, _svg, _split, _remove, _status, _force),
+        _outside_files,
     )
     command("issue", _issue, "freeze a built folder under a revision", _folder, _revision)
     command(
         "diff",
         _diff,
         "tell what changed from one schedule or document (.FCStd) to another",
-        *(_two, _report),
+        *(_two, _report, _outside_files),
     )
     command(
         "export",
@@ -106,7 +110,7 @@ def _parser() -> argparse.ArgumentParser:
         "report",
         _report_of,
         "tell the figures of a schedule or document; write them to a file",
-        *(_source, _only, _jobs, _report),
+        *(_source, _only, _jobs, _report, _outside_files),
     )
     command("new", _new, "start a document from a template", _template)
     command(
@@ -121,7 +125,8 @@ def _parser() -> argparse.ArgumentParser:
         "make a document compute again that was saved without BendTorsion",
         *(_document, _other_file),
     )
-    command("check", _check, "check a schedule, write nothing", _schedule, _only, _jobs)
+    checked = (_schedule, _only, _jobs, _outside_files)
+    command("check", _check, "check a schedule, write nothing", *checked)
     return parser
 
 
@@ -172,6 +177,14 @@ def _remove(command) -> None:
 def _force(command) -> None:
     command.add_argument(
         "--force", action="store_true", help="into the folder of another project as well"
+    )
+
+
+def _outside_files(command) -> None:
+    command.add_argument(
+        "--outside-files",
+        action="store_true",
+        help="read files the schedule names outside its folder, too",
     )
 
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Container, Iterable, Sequence
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -19,6 +19,7 @@ from BendTorsionWB.core.parallel import workers_for
 from BendTorsionWB.core.patterns.layer_names import layer_names
 from BendTorsionWB.core.patterns.numbering import numbered
 from BendTorsionWB.core.patterns.strain_map import StrainMap, strain_map
+from BendTorsionWB.core.stages import MemberGeometry
 from BendTorsionWB.document_settings import style_in
 from BendTorsionWB.document_update import open_document
 from BendTorsionWB.exchange import report, results_workbook
@@ -71,7 +72,7 @@ def records_of(document, only: Sequence[str] = ()) -> DocumentRecords:
     for obj in document.Objects:
         kinds.setdefault(type_of(obj), []).append(obj)
     beds = {bed.Plates.Name: bed for bed in kinds.get("AssemblyBed", ()) if bed.Plates}
-    records, keys, layers = {}, {}, {}
+    records, keys, layers, geometry = {}, {}, {}, {}
     for unfold in kinds.get("Unfold", ()):
         plates = unfold.Plates
         if plates is None or plates.Member is None or (only and plates.Member.Label not in only):
@@ -86,11 +87,16 @@ def records_of(document, only: Sequence[str] = ()) -> DocumentRecords:
                 found = assembly_bed.value(bed)
                 keys[name] = key_of(keys[name], found)
                 record = detailing.with_beds(record, found)
+            geometry[name] = plate_set.value(plates).geometry
         except BendTorsionError as problem:
             record = failed_record(name, problem.findings)
             keys[name] = ""
+        records[name] = record
+    findings += _clashes(geometry, kinds.get("Node", ()))
+    for name in records:
         own = report.of_member(name, findings)
-        records[name] = failed_record(name, own) if has_error(own) else record
+        if has_error(own):
+            records[name] = failed_record(name, own)
     records = {record.member: record for record in numbered(tuple(records.values()))}
     missing = [name for name in only if name not in records]
     if missing or not records:
@@ -105,6 +111,18 @@ def records_of(document, only: Sequence[str] = ()) -> DocumentRecords:
             for name in missing or ["any"]
         )
     return DocumentRecords(records, keys, findings, style_in(document), layers)
+
+
+def _clashes(geometry: Mapping[str, MemberGeometry], nodes: Iterable) -> tuple[Finding, ...]:
+    """Members that run through each other; those that meet at a Node do not."""
+    from BendTorsionWB.shapes.clash import clashes
+
+    met = set()
+    for node in nodes:
+        for other in (node.Through, *node.EndsOn):
+            if other is not None and node.Other is not None:
+                met.add(frozenset((other.Label, node.Other.Label)))
+    return clashes(geometry, met)
 
 
 def source_records(

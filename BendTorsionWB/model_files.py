@@ -151,14 +151,14 @@ def _circle(document) -> list:
     return []
 
 
-def save(document, path: Path) -> None:
-    """Save a document whole or not at all."""
+def save(document, path: Path, shown: Sequence[str] = ()) -> None:
+    """Save a document whole or not at all. shown: as of timeless_document."""
     with whole_file(path) as part, to_the_end():
         document.saveCopy(str(part))
         # FreeCAD does not tell when the disk is full.
         if not zipfile.is_zipfile(part):
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-        timeless_document(part)
+        timeless_document(part, shown)
 
 
 def group_plates(document) -> None:
@@ -197,7 +197,7 @@ def write_linked_model(parts: Sequence[ModelPart], path: Path) -> None:
                 link.LinkedObject = target
                 link.Label = _span(part.members)
             whole.recompute()
-            save(whole, path)
+            save(whole, path, [link.Name for link in whole.Objects])
         finally:
             for document in documents:
                 FreeCAD.closeDocument(document.Name)

@@ -34,12 +34,12 @@ class NamedSolid:
 
 def plate_sets(document) -> list:
     """The PlateSets of a document that belong to a member."""
-    from BendTorsionWB.objects.proxy import type_of
-
+    # Links pass on the properties of what they show.
     return [
         obj
         for obj in document.Objects
-        if type_of(obj) == "PlateSet" and obj.Member is not None
+        if getattr(obj, "BT_Type", "") == "PlateSet" and obj.Member is not None
+        if not obj.TypeId.startswith("App::Link")
     ]
 
 

@@ -13,6 +13,7 @@ from BendTorsionWB.core.axes.axis_source import AxisSource
 from BendTorsionWB.core.finding import BendTorsionError, Finding
 from BendTorsionWB.exchange.curve_files import dxf_axis, dxf_unit
 from BendTorsionWB.exchange.file_extent import extent_findings, unit_of
+from BendTorsionWB.exchange.outside_files import file_of
 from BendTorsionWB.exchange.rhino_files import rhino_axis, rhino_patches, rhino_unit
 from BendTorsionWB.exchange.schedule_jobs import Files
 from BendTorsionWB.exchange.schedule_rows import AxisRow, MemberRow, Schedule, SurfaceRow
@@ -74,7 +75,7 @@ def read_files(schedule: Schedule, rows: Sequence[MemberRow]) -> Files:
 def faces_of(schedule: Schedule, row: SurfaceRow):
     """The faces of a surface file, or of one named part of it, as a Part shape; raises
     BendTorsionError."""
-    path = Path(schedule.folder) / row.file.file
+    path = file_of(schedule.folder, row.file.file, row.name)
     if path.suffix.lower() == ".3dm":
         from BendTorsionWB.shapes.patch_shape import faces_of_patches
 
@@ -85,7 +86,7 @@ def faces_of(schedule: Schedule, row: SurfaceRow):
 
 
 def _source_of(schedule: Schedule, row: AxisRow) -> AxisSource:
-    path = Path(schedule.folder) / row.source.file
+    path = file_of(schedule.folder, row.source.file, row.name)
     if path.suffix.lower() == ".dxf":
         return dxf_axis(path, row.source.part)
     if path.suffix.lower() == ".3dm":

@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Random members by the hundred: nothing overlaps, is mis-paired, refused, or loses volume.
 
-Run: python3 benchmarks/members_at_random.py [members, 300 when left out]
+Run: python3 benchmarks/members_at_random.py [members, 300 when left out] [file to go on from]
+
+Then members drawn far beyond what is built, as many as asked for: valid solids, or a finding that
+names what is wrong. Their outcomes are kept in the file, if one is named, so that a run that was
+stopped goes on where it was. More than 300: only these.
 
 The peer is FreeCAD's loft through the same corners. The table goes on that of members.py.
 """
@@ -10,8 +14,13 @@ import os
 
 os.environ["OPENBLAS_NUM_THREADS"] = "1"
 
+import json
+import multiprocessing
 import sys
 import tempfile
+import time
+from collections import Counter
+from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
@@ -27,6 +36,7 @@ import FreeCAD  # noqa: E402, F401  (Part needs it loaded first)
 import Part  # noqa: E402
 from members import lofted, print_table, row  # noqa: E402
 from random_members import random_member  # noqa: E402
+from random_outcomes import Outcome, outcome  # noqa: E402
 from section_cuts import penetration, sections_at  # noqa: E402
 
 from BendTorsionWB.core.members.volume import skin_volumes  # noqa: E402
@@ -122,10 +132,41 @@ def _prism(one, other):
     return abs(area @ (other.mean(axis=0) - one.mean(axis=0)))
 
 
+def outcomes(count, kept=None):
+    """Print the table of what became of `count` members; how many nobody can explain."""
+    known = {}
+    if kept is not None and kept.exists():
+        lines = kept.read_text().split("\n")[:-1]
+        known = {found["seed"]: Outcome(**found) for found in map(json.loads, lines)}
+    seeds = [seed for seed in range(count) if seed not in known]
+    start = time.time()
+    workers = min(2, os.cpu_count() or 1)
+    with multiprocessing.get_context("fork").Pool(workers, maxtasksperchild=500) as pool:
+        for found in pool.imap_unordered(outcome, seeds, chunksize=20):
+            known[found.seed] = found
+            if kept is not None:
+                with open(kept, "a") as stream:
+                    stream.write(json.dumps(asdict(found)) + "\n")
+    all_found = [known[seed] for seed in range(count)]
+    kinds = Counter(found.kind for found in all_found)
+    print(f"\n{count} members far beyond what is built, {time.time() - start:.0f} s")
+    for kind, number in kinds.most_common():
+        print(f"  {kind:<32}{number:>7}{100.0 * number / count:>8.2f} %")
+    print(f"  plates made: {sum(found.plates for found in all_found)}")
+    unexplained = [found for found in all_found if found.unexplained]
+    for found in unexplained[:50]:
+        print(f"  seed {found.seed}: {found.text}")
+    row(f"outcomes without an explanation, {count} members", "0", len(unexplained), [])
+    return len(unexplained)
+
+
 def main():
     count = int(sys.argv[1]) if len(sys.argv) > 1 else 300
-    thickness_changes(count // 5)
-    random_members(count)
+    kept = Path(sys.argv[2]) if len(sys.argv) > 2 else None
+    if count <= 300:
+        thickness_changes(count // 5)
+        random_members(count)
+    outcomes(count, kept)
     print_table()
 
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A building of many members: the concert hall's ribs again and again on one ellipsoid.
 
-Run: python3 benchmarks/project.py [COUNT …] (10 50 without; 200 and 1000 on a quiet machine).
+Run: python3 benchmarks/project.py [--keep FOLDER] [COUNT …] (10 50 without; 200 and 1000 on a quiet
+machine). --keep: leaves the split model of each count in FOLDER/COUNT, to be opened.
 Prints for each count what takes the time, the peak memory and the sizes of files, then the figures
 beside their limits: everything but drawing sheets on two workers, core time per member and core,
 two workers against one, growth with the count, and the second build, of a split model, with one
@@ -167,8 +168,8 @@ def row(what: str, value: float, limit: float | None = None, least: bool = False
     print(f"{what:<60}{value:>10.3g}{limit:>10g} {'ok' if good else 'OVER'}")
 
 
-def main(counts: list[int]) -> None:
-    """Print the table of every count, then the figures."""
+def main(counts: list[int], kept: Path | None = None) -> None:
+    """Print the table of every count, then the figures. kept: where split models are left."""
     times = {}
     for count in counts:
         with tempfile.TemporaryDirectory() as folder:
@@ -192,7 +193,7 @@ def main(counts: list[int]) -> None:
             row("STEP, MB", size(out, "*.step"))
             row("cut files, MB", size(out, "*.dxf") + size(out, "*.nc1"))
             row("cache, MB", size(out, "*.member"))
-            apart = Path(folder) / "split"
+            apart = Path(folder) / "split" if kept is None else kept / str(count)
             row(f"split by {SPLIT}, s", measured(path, apart, SPLIT)["wall"])
             changed = [[*line] for line in _sheet(path, "Members")]
             changed[2][4] = "48%"
@@ -231,4 +232,6 @@ if __name__ == "__main__":
     if sys.argv[1:2] == ["--build"]:
         build(*sys.argv[2:])
     else:
-        main([int(text) for text in sys.argv[1:]] or [10, 50])
+        given = sys.argv[1:]
+        folder = Path(given[1]) if given[:1] == ["--keep"] else None
+        main([int(text) for text in given[2 if folder else 0 :]] or [10, 50], folder)

@@ -35,7 +35,7 @@ def main():
     """Print each figure beside its limit."""
     model = Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "build/concert_hall/model.FCStd"
     with tempfile.TemporaryDirectory() as folder:
-        seen = run_in_window(SCRIPT, Path(folder), model=model.resolve())
+        seen = run_in_window(SCRIPT, Path(folder), time_limit=600, model=model.resolve())
     print(f"{'':34}{'wall s':>9}{'cpu s':>9}{'limit':>9}")
     for name, text in (
         ("activation", "workbench opened"),

@@ -213,12 +213,12 @@ def pattern() -> None:
 
 
 def sheet() -> None:
-    """The drawing of a crossing with a stub."""
-    crossing = (
+    """The drawing of a T with a stub."""
+    members = (
         ("X", (-2600, 0, 0), (2600, 0, 0), BIG),
-        ("Y", at(60, -2600), at(60, 2600), LOW),
+        ("Y", at(-65, 2600), (0, 0, 0), LOW),
     )
-    jobs = {item[0]: job(*item) for item in crossing}
+    jobs = {item[0]: job(*item) for item in members}
     row = NodeInput("X", "Y", type="stub", stub_length=900.0)
     made, _ = jobs_with_nodes(jobs, {"X": 1, "Y": 2}, (row,), SHORT)
     records = [detailing.detail(one).record for one in made.values()]

@@ -18,8 +18,8 @@ from BendTorsionWB import freecad_path  # noqa: E402
 freecad_path.append()
 
 from BendTorsionWB.core import detailing  # noqa: E402
-from BendTorsionWB.core.sheet_arrangement import arrangement_sheets  # noqa: E402
-from BendTorsionWB.core.sheet_layout import member_sheets  # noqa: E402
+from BendTorsionWB.core.drawings.sheet_arrangement import arrangement_sheets  # noqa: E402
+from BendTorsionWB.core.drawings.sheet_layout import member_sheets  # noqa: E402
 from BendTorsionWB.project import read_project  # noqa: E402
 from BendTorsionWB.sheets.pdf import write_pdf  # noqa: E402
 
@@ -41,6 +41,9 @@ def main() -> None:
         ("flat patterns", "sheet_plate"),
     ):
         shown[name] = next(s for s in own if s.title == f"{SHOWN} {content}")
+    shown["sheet_weld_map"] = next(
+        s for s in own if any(text.text == "Weld map" for text in s.all_texts())
+    )
     with tempfile.TemporaryDirectory() as folder:
         for name, sheet in shown.items():
             pdf = Path(folder) / f"{name}.pdf"

@@ -20,14 +20,17 @@ import shutil
 import subprocess
 import sys
 import time
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
+from threading import Lock
 
 ROOT = Path(__file__).resolve().parent.parent
 LANES = ROOT / "build" / "lanes"
-CARRIED = LANES / "carried"
 CHECKOUT = "checkout"
 QUIET = {"stdin": subprocess.DEVNULL}
+_making, _printing = Lock(), Lock()
 NEWEST_SCRIPT = Path("/usr/share/debootstrap/scripts/sid")
 
 
@@ -62,37 +65,74 @@ VENVS = (
 """Between and beyond what the suites of Debian bring together."""
 
 
+@dataclass(frozen=True)
+class Place:
+    """Where a lane runs: its root, its checkout seen from outside, and from inside."""
+
+    root: Path
+    folder: Path
+    inside: Path
+
+
 def run_suite(suite: Suite, arguments: list[str]) -> int:
-    """Run the suite's tests, save a document there and open those of the lanes before it."""
+    """Run the suite's tests and save a document there; 0 when all is well. Raises NotHere."""
+    place = _made(suite)
+    if place.root != Path("/"):
+        copy_checkout(place.folder)
+    code = 0
+    if arguments or place.root != Path("/"):
+        # On the machine itself `make test` has run the suite.
+        command = f"/usr/bin/python3 -m pytest -q {shlex.join(arguments)}"
+        code = _reported(suite.name, _inside, place, command)
+    command = f"/usr/bin/python3 tests/carried_document.py save build/carried/{suite.name}"
+    return _inside(place, command) or code
+
+
+def compare_carried(suites: Sequence[Suite]) -> list[int]:
+    """Open in each lane what the older ones saved, and compare the figures: exit codes."""
+    codes, older = [], []
+    for suite in (item for item in SUITES if item in suites):
+        place = _place(suite)
+        own = place.folder / "build" / "carried" / suite.name
+        for former in older:
+            target = own.with_name(former.name)
+            if target != former:
+                shutil.rmtree(target, ignore_errors=True)
+                shutil.copytree(former, target)
+            print(f"== {former.name} opened in {suite.name}", flush=True)
+            command = "/usr/bin/python3 tests/carried_document.py compare"
+            codes.append(_inside(place, f"{command} build/carried/{former.name}"))
+        if own.is_dir():
+            older.append(own)
+    return codes
+
+
+def _place(suite: Suite) -> Place:
     if _host_suite() == suite.name:
-        root, folder, inside = Path("/"), ROOT, ROOT
+        return Place(Path("/"), ROOT, ROOT)
+    root = LANES / suite.name
+    return Place(root, root / CHECKOUT, Path("/") / CHECKOUT)
+
+
+def _made(suite: Suite) -> Place:
+    """The place of a lane, with what the checkout asks for. Raises NotHere."""
+    place = _place(suite)
+    if place.root == Path("/"):
         subprocess.run(["sh", "scripts/install-debian.sh"], cwd=ROOT, check=True, **QUIET)
     else:
-        root = LANES / suite.name
-        make_chroot(suite)
-        folder, inside = root / CHECKOUT, Path("/") / CHECKOUT
-        copy_checkout(folder)
-    code = 0
-    if arguments or root != Path("/"):
-        # On the machine itself `make test` has run the suite.
-        code = _inside(root, inside, f"/usr/bin/python3 -m pytest -q {shlex.join(arguments)}")
-    return code or carry(suite, root, folder, inside)
+        with _making:
+            make_chroot(suite)
+    return place
 
 
-def carry(suite: Suite, root: Path, folder: Path, inside: Path) -> int:
-    """Save a document in this lane, and compare those the older lanes saved: 0 when all agree."""
-    command = "/usr/bin/python3 tests/carried_document.py"
-    target = CARRIED / suite.name
-    saved = folder / "build" / "carried"
-    shutil.rmtree(saved, ignore_errors=True)
-    code = _inside(root, inside, f"{command} save build/carried/{suite.name}")
-    if code == 0:
-        shutil.rmtree(target, ignore_errors=True)
-        shutil.copytree(saved / suite.name, target)
-    for older in SUITES[: SUITES.index(suite)]:
-        if (CARRIED / older.name).is_dir():
-            shutil.copytree(CARRIED / older.name, saved / older.name)
-            code = _inside(root, inside, f"{command} compare build/carried/{older.name}") or code
+def _reported(name: str, run: Callable[..., int], *arguments) -> int:
+    """Run something that takes a stream for what it prints, and print that in one piece."""
+    LANES.mkdir(parents=True, exist_ok=True)
+    log = LANES / f"{name}.txt"
+    with open(log, "w", encoding="utf-8") as stream:
+        code = run(*arguments, stream=stream)
+    with _printing:
+        print(f"== {name}", log.read_text(encoding="utf-8", errors="replace"), sep="\n", flush=True)
     return code
 
 
@@ -111,9 +151,9 @@ def make_chroot(suite: Suite) -> None:
     _write_apt(root)
     shutil.copy(ROOT / "scripts" / "install-debian.sh", root / "tmp" / "install-debian.sh")
     need = "apt-get update -q >/dev/null && sh /tmp/install-debian.sh >/dev/null"
-    # `make` is what the tests of the window install the workbench with; git is not needed.
-    need += " && apt-get install -y -q --no-install-recommends make >/dev/null"
-    if _inside(root, Path("/"), need):
+    # What the tests call themselves.
+    need += " && apt-get install -y -q --no-install-recommends make git >/dev/null"
+    if _inside(Place(root, root, Path("/")), need):
         raise NotHere("its packages could not be installed")
     done.write_text(wanted, encoding="utf-8")
 
@@ -170,25 +210,30 @@ def copy_checkout(folder: Path) -> None:
         if (ROOT / name).is_file():
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(ROOT / name, folder / name)
+    # What a release holds is what git knows.
+    for command in (["init", "-q"], ["add", "-A"]):
+        subprocess.run(["git", *command], cwd=folder, check=True, **QUIET)
 
 
-def _inside(root: Path, folder: Path, command: str) -> int:
-    """Exit code of a shell command in a folder of the lane.
+def _inside(place: Place, command: str, stream=None) -> int:
+    """Exit code of a shell command in the checkout of a lane; stream: a file for what it prints.
 
     The lane's mounts and processes live in namespaces of their own and end with the command, so
     that nothing stays mounted under build/.
     """
+    told = {**QUIET, "stdout": stream, "stderr": subprocess.STDOUT if stream else None}
+    root = place.root
     if root == Path("/"):
-        return subprocess.run(["sh", "-c", command], cwd=folder, **QUIET).returncode
+        return subprocess.run(["sh", "-c", command], cwd=place.folder, **told).returncode
     mounts = (
         f"mount -t proc proc {root}/proc && mount --rbind /dev {root}/dev && "
         f"mount -t tmpfs tmpfs {root}/run && "
     )
     environment = "HOME=/root LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive PATH=/usr/sbin:/usr/bin"
-    within = f"cd {folder} && {command}"
+    within = f"cd {place.inside} && {command}"
     enter = f"exec env -i {_proxies()} {environment} chroot {root} sh -c {shlex.quote(within)}"
     apart = ["unshare", "--mount", "--pid", "--fork", "--kill-child"]
-    return subprocess.run([*apart, "sh", "-c", mounts + enter], **QUIET).returncode
+    return subprocess.run([*apart, "sh", "-c", mounts + enter], **told).returncode
 
 
 def _proxies() -> str:
@@ -200,6 +245,7 @@ def run_libraries(lane: Libraries, arguments: list[str]) -> int:
     """Run the tests that need no FreeCAD with other libraries."""
     python = _python(lane.python)
     folder = LANES / lane.name
+    folder.parent.mkdir(parents=True, exist_ok=True)
     stamp = folder / ".made"
     wanted = " ".join(("scipy", "pytest", *lane.packages))
     if not stamp.exists() or stamp.read_text(encoding="utf-8") != wanted:
@@ -211,7 +257,12 @@ def run_libraries(lane: Libraries, arguments: list[str]) -> int:
         stamp.write_text(wanted, encoding="utf-8")
     environment = os.environ | {"BENDTORSION_WITHOUT_FREECAD": "1"}
     command = [str(folder / "bin" / "python"), "-m", "pytest", "-q", *arguments]
-    return subprocess.run(command, cwd=ROOT, env=environment, **QUIET).returncode
+    return _reported(lane.name, _run, command, environment)
+
+
+def _run(command: list[str], environment: dict[str, str], stream) -> int:
+    told = {**QUIET, "stdout": stream, "stderr": subprocess.STDOUT}
+    return subprocess.run(command, cwd=ROOT, env=environment, **told).returncode
 
 
 def _python(release: str) -> str:
@@ -247,27 +298,32 @@ def main() -> int:
     unknown = [name for name in chosen.lanes if name not in names]
     if unknown:
         parser.error(f"no such lane: {', '.join(unknown)}; there are {', '.join(names)}")
-    told, failed = [], False
-    for name in chosen.lanes or names:
-        lane, start = names[name], time.monotonic()
-        print(f"== {name}", flush=True)
-        try:
-            if chosen.make:
-                if isinstance(lane, Suite) and name != _host_suite():
-                    make_chroot(lane)
-                code = 0
-            elif isinstance(lane, Suite):
-                code = run_suite(lane, arguments)
-            else:
-                code = run_libraries(lane, arguments)
-        except NotHere as reason:
-            told.append(f"{name}: not run: {reason}")
-            continue
-        failed = failed or code != 0
-        minutes = (time.monotonic() - start) / 60
-        told.append(f"{name}: {'FAILED' if code else 'passed'} in {minutes:.1f} min")
-    print("\n".join(["== lanes", *told]), flush=True)
-    return 1 if failed else 0
+    lanes = [names[name] for name in chosen.lanes or names]
+    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        ends = [pool.submit(run_lane, lane, arguments, chosen.make) for lane in lanes]
+        results = [end.result() for end in ends]
+    codes = [code for code, _ in results]
+    if not chosen.make:
+        codes += compare_carried([lane for lane in lanes if isinstance(lane, Suite)])
+    print("\n".join(["== lanes", *(line for _, line in results)]), flush=True)
+    return 1 if any(codes) else 0
+
+
+def run_lane(lane: Suite | Libraries, arguments: list[str], only_make: bool) -> tuple[int, str]:
+    """Make and run a lane; its exit code, and a line on how it went."""
+    start = time.monotonic()
+    try:
+        if isinstance(lane, Libraries):
+            code = run_libraries(lane, arguments)
+        elif only_make:
+            _made(lane)
+            code = 0
+        else:
+            code = run_suite(lane, arguments)
+    except NotHere as reason:
+        return 0, f"{lane.name}: not run: {reason}"
+    minutes = (time.monotonic() - start) / 60
+    return code, f"{lane.name}: {'FAILED' if code else 'passed'} in {minutes:.1f} min"
 
 
 if __name__ == "__main__":

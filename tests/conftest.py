@@ -2,6 +2,7 @@
 """Test set-up: the checkout on the path, FreeCAD importable as a module, no network."""
 
 import ipaddress
+import os
 import socket
 import sys
 from importlib.util import find_spec
@@ -17,7 +18,15 @@ from BendTorsionWB import freecad_path
 OPTIONAL = {"test_rhino_files.py": "rhino3dm", "test_dask_cluster.py": "distributed"}
 collect_ignore = [name for name, package in OPTIONAL.items() if find_spec(package) is None]
 
-freecad_path.append()
+from without_freecad import FIXTURES, needs_freecad  # noqa: E402
+
+# A lane of libraries (docs/versions.md): the tests of numbers, schedules and files alone.
+WITHOUT_FREECAD = bool(os.environ.get("BENDTORSION_WITHOUT_FREECAD"))
+if WITHOUT_FREECAD:
+    here = Path(__file__).resolve().parent
+    collect_ignore += [path.name for path in here.glob("test_*.py") if needs_freecad(path)]
+else:
+    freecad_path.append()
 
 from checkers import INSTALL, missing  # noqa: E402
 
@@ -50,6 +59,8 @@ def pytest_collection_modifyitems(config, items):
     for item in items:
         marker = item.get_closest_marker("external")
         absent = [tool for tool in marker.args if missing(tool)] if marker else []
+        if WITHOUT_FREECAD and FIXTURES & set(item.fixturenames):
+            absent.append("FreeCAD")
         if absent:
             LEFT_OUT.append(f"{item.nodeid} needs {', '.join(absent)}")
         else:

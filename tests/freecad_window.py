@@ -69,6 +69,9 @@ def run_in_window(
     }
     everything.pop("QT_QPA_PLATFORM", None)
     subprocess.run(["make", "-s", "install"], cwd=ROOT, env=everything, check=True)
+    # FreeCAD 1.1 has another name for it.
+    if language == "Chinese Simplified" and release() >= (1, 1):
+        language = "Chinese (Simplified)"
     settings = SETTINGS.format(language=language, **(look or LIGHT))
     (folder / "freecad" / "user.cfg").write_text(settings, encoding="utf-8")
     command = ["xvfb-run", "-a", "-s", "-screen 0 1920x1200x24", "freecad", str(script)]
@@ -91,6 +94,13 @@ def run_in_window(
         log.seek(0)
         assert result.exists(), f"FreeCAD wrote no result:\n{log.read()[-4000:]}"
     return json.loads(result.read_text(encoding="utf-8"))
+
+
+def release() -> tuple[int, int]:
+    """Of the FreeCAD that is installed, such as (0, 20)."""
+    import FreeCAD
+
+    return tuple(int(number) for number in FreeCAD.Version()[:2])
 
 
 def _end(process):

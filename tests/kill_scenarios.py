@@ -20,6 +20,11 @@ from BendTorsionWB.sheets.pdf import start_qt
 POINTS = [[x, 0, 20000 * (1 - (x / 40000) ** 2) ** 0.5] for x in (0, 1000, 2000, 3000)]
 
 
+LOADED = ("out/model.", "out/.bendtorsion.json")
+"""Of a document that was updated before the kill the shapes are loaded, not made: rounded to the
+digits of a file."""
+
+
 @dataclass(frozen=True)
 class Scenario:
     """action: on the folder `work`, made of `before` each time; points: how many writes it takes;
@@ -172,6 +177,7 @@ def tried(one, place):
             if one.new.get(name) != now.get(name)
             and not name.endswith("timing.json")
             and ".former" not in name
+            and not (one.name == "update" and name.startswith(LOADED))
         ]
         # Beside a file named by hand another program may be at work: there nothing is swept up.
         left = killed_writes.leftovers(one.work) if one.swept else []

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
 from scipy.spatial import cKDTree
+from workbook_parts import workbook_parts
 
 from BendTorsionWB.exchange.schedule import read_schedule
 
@@ -36,7 +37,8 @@ def test_concert_hall_is_written_with_the_same_bytes(tmp_path, make_concert_hall
         make_concert_hall.write(tmp_path / name)
     first = (tmp_path / "first.xlsx").read_bytes()
     assert first == (tmp_path / "second.xlsx").read_bytes()
-    assert first == (HALL / "concert_hall.xlsx").read_bytes()
+    shipped = (HALL / "concert_hall.xlsx").read_bytes()
+    assert workbook_parts(first) == workbook_parts(shipped)
 
 
 def test_concert_hall_is_the_case_wanted(hall):

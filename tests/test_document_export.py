@@ -3,11 +3,17 @@
 
 import re
 
+import FreeCAD
 import openpyxl
 import pytest
 from package_build import SITE, rows
 
-from BendTorsionWB.document_export import export_document, source_records, write_figures
+from BendTorsionWB.document_export import (
+    export_document,
+    records_of,
+    source_records,
+    write_figures,
+)
 
 pytestmark = pytest.mark.slow
 
@@ -67,3 +73,26 @@ def test_preparations_and_site_of_a_document_reach_its_tables(exported, tmp_path
         assert row["site_z"] == pytest.approx(row["z"] + SITE["site_z"])
         turned = row["x"] * 3**0.5 / 2 - row["y"] / 2 + SITE["site_x"]
         assert row["site_x"] == pytest.approx(turned)
+
+
+def test_members_of_a_document_that_run_through_each_other_are_refused_by_name(tmp_path):
+    from test_build import short
+
+    from BendTorsionWB import make
+
+    document = FreeCAD.newDocument("crossing", hidden=True)
+    try:
+        surface = make.make_surface(document, "Hall", a=40000, b=30000, c=20000)
+        section = make.make_section(document, "S", h=400, b=400, t=12)
+        for name, shift in (("M1", 0.0), ("M2", 100.0)):
+            axis = make.make_axis(document, f"A{name}", surface, short(0.02, 0.1, shift))
+            plates = make.make_plates(document, make.make_member(document, name, axis, [section]))
+            make.make_unfold(document, plates)
+        document.recompute()
+        found = records_of(document)
+        assert [f.object for f in found.findings if f.code == "members-intersect"] == ["M1", "M2"]
+        assert not any(record.plates for record in found.records.values())
+        alone = records_of(document, ["M1"])
+        assert alone.records["M1"].plates and not alone.findings
+    finally:
+        FreeCAD.closeDocument(document.Name)

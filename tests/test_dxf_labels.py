@@ -1,11 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Texts of flat patterns: each where it can be read, found by a search for room."""
 
+import io
+from dataclasses import replace
+
 import ezdxf
 import ezdxf.path
 import numpy as np
 import pytest
+from flat_plates import rectangle
+from test_nc1 import square_edges
 
+from BendTorsionWB.core.welds.bevel_record import EdgeBevel
+from BendTorsionWB.exchange.dxf import plate_dxf
 from BendTorsionWB.exchange.dxf_labels import Boxes, Room, along, blocks
 
 LINE = np.array([[0.0, 0.0], [0.0, 800.0]])
@@ -120,9 +127,23 @@ def box_of(text):
     """The rectangle a text fills, letters as wide as 0.85 of their height."""
     a = np.radians(text.dxf.rotation)
     reading, up = np.array([np.cos(a), np.sin(a)]), np.array([-np.sin(a), np.cos(a)])
-    corner, height = np.array(text.dxf.insert.xyz[:2]), text.dxf.height
+    corner, height = np.array(tuple(text.dxf.insert))[:2], text.dxf.height
     wide = 0.85 * height * len(text.dxf.text)
     return np.array(
         [corner, corner + wide * reading, corner + wide * reading + height * up]
         + [corner + height * up]
     )
+
+
+def test_bevels_of_a_plate_with_end_lines_only_are_told_inside_it():
+    ends = [
+        EdgeBevel(side, line, "", "", 0.0, 800.0, 0.0, (np.radians(30.0), 14.0))
+        for side, line in (("start", "E-1"), ("end", "E-2"))
+    ]
+    plate = rectangle("M1-R4", length=150.0, width=800.0)
+    plate = replace(plate, bevels=tuple(ends), edges=square_edges(150.0))
+    space = ezdxf.read(io.StringIO(plate_dxf(plate).decode())).modelspace()
+    boxes = [box_of(text) for text in space.query('TEXT[layer=="MARK_BEVEL"]')]
+    assert len(boxes) == 2
+    for own in boxes:
+        assert (own >= 0.0).all() and (own <= [150.0, 800.0]).all()

@@ -49,12 +49,12 @@ def test_a_script_builds_changes_saves_and_reopens(tmp_path):
     script = tmp_path / "rib.py"
     script.write_text(SCRIPT)
     environment = os.environ | {
-        "PYTHONPATH": str(ROOT),
         "HOME": str(tmp_path),
         "FREECAD_USER_HOME": str(tmp_path / "freecad"),
         "RESULT_FOLDER": str(tmp_path),
     }
-    (tmp_path / "freecad").mkdir()
+    # Newer releases do not look at PYTHONPATH, all look into Mod.
+    subprocess.run(["make", "-s", "install"], cwd=ROOT, env=environment, check=True)
     done = subprocess.run(
         ["freecadcmd", str(script)],
         env=environment,

@@ -32,18 +32,19 @@ def test_the_documented_script_changes_a_section_and_exports_again(tmp_path):
     (tmp_path / "home").mkdir()
     script = tmp_path / "change.py"
     script.write_text(documented_script(), encoding="utf-8")
+    environment = os.environ | {
+        "HOME": str(tmp_path / "home"),
+        "FREECAD_USER_HOME": str(tmp_path / "home"),
+        "MODEL": str(out / "model.FCStd"),
+        "SECTION": "B500",
+        "HEIGHT": "520",
+        "OUT": str(tmp_path / "again"),
+    }
+    # Newer releases do not look at PYTHONPATH, all look into Mod.
+    subprocess.run(["make", "-s", "install"], cwd=ROOT, env=environment, check=True)
     done = subprocess.run(
         ["freecadcmd", str(script)],
-        env=os.environ
-        | {
-            "PYTHONPATH": str(ROOT),
-            "HOME": str(tmp_path / "home"),
-            "FREECAD_USER_HOME": str(tmp_path / "home"),
-            "MODEL": str(out / "model.FCStd"),
-            "SECTION": "B500",
-            "HEIGHT": "520",
-            "OUT": str(tmp_path / "again"),
-        },
+        env=environment,
         stdin=subprocess.DEVNULL,
         capture_output=True,
         text=True,

@@ -156,3 +156,17 @@ def test_what_a_cell_can_hold_is_offered(document):
     assert row.choices("section") == ["B500", "B700"]
     assert len(row.choices("align")) == 9 and "top-left" in row.choices("align")
     assert row.choices("cut") == []
+
+
+def test_an_error_of_a_member_is_at_the_cell_it_names(document):
+    """A cut beyond the end is at the cut of its segment, and gone when it is mended."""
+    rows = member_rows.rows_of(document)
+    assert member_rows.faults(rows) == {}
+    rows[1].member.Cut2 = 99000.0
+    document.recompute()
+    found = member_rows.faults(member_rows.rows_of(document))
+    assert "beyond the end" in found[1, column("cut")]
+    assert {c for _, c in found} == {column("cut")}
+    rows[1].member.Cut2 = 4000.0
+    document.recompute()
+    assert member_rows.faults(member_rows.rows_of(document)) == {}

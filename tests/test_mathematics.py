@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Generated members: what turning, moving, scaling, reversing, mirroring, cutting up does to them."""
+"""Generated members: what turning, moving, scaling, reversing, mirroring, cutting does to them."""
 
 from dataclasses import dataclass, replace
 

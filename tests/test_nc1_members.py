@@ -2,6 +2,7 @@
 """NC1 and DXF of a ring, of cut ends, openings, polygons and every face a contour may be of."""
 
 import io
+import json
 import math
 
 import ezdxf
@@ -15,6 +16,7 @@ from BendTorsionWB.core.patterns.cut_contour import cut_contour
 from BendTorsionWB.document_export import source_records
 from BendTorsionWB.exchange.dxf import plate_dxf
 from BendTorsionWB.exchange.nc1 import plate_nc1
+from BendTorsionWB.exchange.report import report_json
 
 pytestmark = pytest.mark.slow
 
@@ -71,7 +73,7 @@ SHEETS = {
 
 
 @pytest.fixture(scope="module")
-def plates(tmp_path_factory):
+def records(tmp_path_factory):
     axes = {"R": circle(), "A": stretch(0.1, 0.5), "P": stretch(0.1, 0.4)}
     rows = [
         [name, k, *map(float, xyz)]
@@ -82,7 +84,17 @@ def plates(tmp_path_factory):
     path = write(tmp_path_factory.mktemp("odd") / "odd.xlsx", sheets)
     found = source_records(path, workers=1)
     assert all(record.plates for record in found.records.values())
-    return [plate for record in found.records.values() for plate in record.plates]
+    return list(found.records.values())
+
+
+@pytest.fixture(scope="module")
+def plates(records):
+    return [plate for record in records for plate in record.plates]
+
+
+def test_the_report_of_every_kind_of_member_is_strict_json(records):
+    text = json.dumps(report_json(records, (), "1.0"), allow_nan=False)
+    assert all(f'"{record.member}"' in text for record in records)
 
 
 def test_contours_are_closed_counter_clockwise_and_as_large_as_headers_say(plates):

@@ -19,6 +19,8 @@ from BendTorsionWB.core.patterns.laid_flat import PatternInput
 from BendTorsionWB.core.welds.preps import prep_of, prep_text
 from BendTorsionWB.core.welds.welds import EdgeTreatment
 from BendTorsionWB.exchange.dxf import write_plate_dxf
+from BendTorsionWB.exchange.html_report import html_report
+from BendTorsionWB.exchange.report import report_json
 from BendTorsionWB.exchange.weld_tables import weld_tables
 
 
@@ -161,3 +163,16 @@ def test_words_of_fillets():
     prep = prep_of("double-fillet leg=8")
     assert prep.leg == 8.0 and not prep.is_cut and prep.depth(20.0) == 0.0
     assert prep_of(prep_text(prep)) == prep
+
+
+def test_the_reports_list_the_nodes_and_their_welds():
+    records = crossing(60.0)
+    page = html_report(records, (), "Hall", "0.1.0")
+    assert "<h2>Nodes</h2>" in page and "60.00" in page
+    assert "<h2>Nodes</h2>" not in html_report(records[:1], (), "Hall", "0.1.0")
+    through, branch = report_json(records, (), "0.1.0")["members"]
+    assert {w["kind"] for w in through["welds"]} == {"seam", "diaphragm"}
+    node = next(w for w in branch["welds"] if w["weld"] == "Y-N1-L1")
+    assert node["plates"] == ["Y-L1", "X right"] and node["place"] == "field"
+    assert node["prep"] == "branch: bevel angle=30 land=2.0 gap=3.0"
+    assert node["dihedral_deg"] == pytest.approx(120.0)

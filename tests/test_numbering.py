@@ -149,7 +149,7 @@ def test_plates_that_differ_in_a_bevel_alone_are_different_parts():
     [record] = numbered([member("M1", plates)])
     # A rectangle with the other edge cut is the same turned round.
     assert [p.part for p in record.plates] == ["M1-T1"] * 3 + ["M1-T4", "M1-T5"]
-    end = EdgeBevel("end", "E-2", "", "", 2400.0, 2400.0, 0.0, (np.radians(30.0), 18.0))
+    end = EdgeBevel("end", "E-2", "", "", 0.0, 800.0, 0.0, (np.radians(30.0), 18.0))
     ended = [dataclasses.replace(p, bevels=(*p.bevels, end)) for p in plates[:3]]
     [record] = numbered([member("M1", tuple(ended))])
     assert [p.part for p in record.plates] == ["M1-T1", "M1-T1", "M1-T3"]

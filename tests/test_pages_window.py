@@ -13,6 +13,7 @@ def test_pages_are_drawn_when_they_are_opened_and_never_stale(tmp_path):
     window = run_in_window(
         ROOT / "tests" / "window" / "pages_session.py",
         tmp_path / "window",
+        time_limit=400,
         pictures=ROOT / "build" / "pictures" / "pages",
         document=save_document(tmp_path / "headless.FCStd"),
     )
@@ -22,6 +23,8 @@ def test_pages_are_drawn_when_they_are_opened_and_never_stale(tmp_path):
     assert all(page == [False, 0] for page in found["before"])
     (first, edges), second = found["opened"]
     assert first and edges > 10 and second == [False, 0]
+    page, view, selected = found["finding"]
+    assert page != view == "View3DInventor" and selected
     (drawn, edges), lines = found["dxf"]
     assert drawn and edges > 10 and lines > 10
     assert found["taken_back"][0] and found["taken_back"][1] > 0

@@ -77,7 +77,7 @@ def test_joints_are_moved_added_and_removed_by_keys(window):
     assert len(seen["removed"]) == 2 and 5000.0 not in seen["removed"]
     for words in ("shorter plate beside it", "at least 600", "joint of the next face (left)"):
         assert words in seen["first"][1]
-    assert "#c62828" in seen["verdict"] or "#2e7d32" in seen["verdict"]
+    assert "#43a047" in seen["verdict"] and "#e53935" not in seen["verdict"]
     assert len(seen["undo"]) == 1 and seen["undone"] == [3000.0, 6000.0]
 
 

@@ -13,7 +13,9 @@ pytestmark = pytest.mark.slow
 @pytest.fixture(scope="module")
 def window(tmp_path_factory):
     """What one session saw."""
-    return run_in_window(SCRIPT, tmp_path_factory.mktemp("picking"), pictures=PICTURES)
+    return run_in_window(
+        SCRIPT, tmp_path_factory.mktemp("picking"), time_limit=400, pictures=PICTURES
+    )
 
 
 def seen(window, step):

@@ -105,7 +105,7 @@ def test_bad_rows_are_named_by_their_cells(tmp_path, changes, place):
 @pytest.mark.parametrize(
     ("changes", "code", "place"),
     [
-        ({("Pieces", 1, "to"): 13000}, "piece-order", "sheet Pieces, row 2, column to"),
+        ({("Pieces", 1, "to"): 13000}, "piece-beyond-member", "sheet Pieces, row 2, column to"),
         ({("Pieces", 2, "to"): 11000}, "pieces-leave-out", "sheet Pieces, row 3, column from"),
         (
             {("Members", 1, "start_cut"): "level"},

@@ -17,10 +17,11 @@ def window(tmp_path_factory):
     found = run_in_window(
         ROOT / "tests" / "window" / "preferences_session.py",
         folder,
+        time_limit=400,
         pictures=PICTURES,
         document=save_document(folder / "existing.FCStd"),
     )
-    for step in ("before", "changed", "after", "language"):
+    for step in ("before", "changed", "after", "layers", "language"):
         assert "failed" not in found[step], found[step]["failed"]
     return found
 
@@ -60,12 +61,22 @@ def test_a_macro_has_the_values_and_not_the_preference(window):
     assert "layers={'CUT_OUTER': '10'}" in lines and "format='A1'" in lines
 
 
+def test_names_of_layers_that_cannot_be_are_not_kept(window):
+    """One with a slash, two of one name: marked at their fields, told, the former ones stay."""
+    seen = window["layers"]
+    assert seen["marked"] == [True, True, False]
+    assert len(seen["told"]) == 1 and "cannot be a layer name" in seen["told"][0]
+    assert "two layers have one name" in seen["told"][0]
+    assert seen["kept"]["LayerPUNCH"] == "PUNCH" and seen["kept"]["LayerREF"] == "REF"
+    assert seen["kept"]["LayerCUT_OUTER"] == "10"
+
+
 def test_the_window_s_language_is_a_preference(window):
     """English or Chinese, at once and when FreeCAD starts again."""
     assert {"English", "简体中文"} <= set(window["changed"]["languages"])
     assert window["language"] == {
-        "now": "Chinese Simplified",
-        "kept": "Chinese Simplified",
+        "now": "zh-CN",
+        "kept": "zh-CN",
         "word": "高度 h",
     }
 

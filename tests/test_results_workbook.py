@@ -30,7 +30,7 @@ COLUMNS = {
     "NodeSteps": "node other side face edge through_face step angle in_line",
     "Joints": "member joint face s plate_1 plate_2 thickness_1 thickness_2 length place weld",
     "Welds": "member weld piece kind seam plate_1 plate_2 from to length thickness_1 thickness_2 "
-    "dihedral prep type angle land gap depth side backing place ndt",
+    "dihedral prep type angle land gap depth leg side backing place ndt",
     "Bevels": "plate side edge from to angle_outer depth_outer angle_inner depth_inner land "
     "natural prep weld",
     "Bars": "member bar piece section width thickness length material mass weld",

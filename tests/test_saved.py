@@ -199,6 +199,8 @@ def test_differences_are_told():
         ".a[1]: 'x' became 'y'",
     ]
     assert differences({"a": 1.0}, {"a": 1.0 + 1e-10}) == []
+    assert differences({"Moments": [1.0]}, {"Moments": [1.0 + 1e-7]})
+    assert not differences({"Moments": [1.0]}, {"Moments": [1.0 + 1e-7]}, anew=True)
     assert differences({"a": [1.0]}, {"a": []}) and differences({"a": 1.0}, {})
 
 

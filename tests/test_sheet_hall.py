@@ -38,6 +38,7 @@ def test_every_sheet_of_the_hall_can_be_read(records):
     assert [fault for sheet in sheets for fault in faults(sheet)] == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", range(len(STYLES)), ids=lambda k: str(STYLES[k].format))
 def test_sheets_of_the_hall_can_be_read_in_every_style(records, number):
     style = STYLES[number]

@@ -16,14 +16,16 @@ import pytest
 import TechDraw  # noqa: F401
 from test_sheet import strip_member
 
+from BendTorsionWB.core.drawings.sheet_arrangement import arrangement_sheets
 from BendTorsionWB.core.drawings.sheet_layout import member_sheets
 from BendTorsionWB.core.drawings.sheet_page import SIGNED_CELLS
 from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.finding import error
 from BendTorsionWB.core.lofting import MemberRecord
 from BendTorsionWB.objects import sheet as sheet_objects
+from BendTorsionWB.objects.arrangement import ArrangementSet
 from BendTorsionWB.objects.sheet_content import style_of
-from BendTorsionWB.sheets.pdf import write_pdf
+from BendTorsionWB.sheets.pdf import start_qt, write_pdf
 from BendTorsionWB.sheets.techdraw import symbol_svg, template_path
 
 STYLE = SheetStyle("Concert hall")
@@ -60,7 +62,8 @@ def add_choice(source):
     source.addProperty("App::PropertyInteger", "Choice")
     source.addProperty("App::PropertyString", "BT_Type")
     source.addProperty("App::PropertyStringList", "Findings")
-    source.Choice, source.BT_Type = 1, "Unfold"
+    source.addProperty("App::PropertyString", "Status")
+    source.Choice, source.BT_Type, source.Status = 1, "Unfold", "ok"
 
 
 class Failing(Source):
@@ -88,6 +91,7 @@ def document():
     document.recompute()
     document.clearUndos()
     yield document
+    settle()
     FreeCAD.closeDocument(document.Name)
 
 
@@ -118,7 +122,16 @@ def shown(document):
     ]
 
 
+def settle():
+    """FreeCAD 1.0 removes hidden lines in threads, and takes their results in an event loop."""
+    core, _ = start_qt()
+    for _ in range(3):
+        core.QThreadPool.globalInstance().waitForDone()
+        core.QCoreApplication.processEvents()
+
+
 def vertices(page):
+    settle()
     view = view_of(page)
     count = len(outlines_of(page).Shape.Vertexes)
     points = []
@@ -145,6 +158,7 @@ def farthest(points, others):
 
 
 def check(document, choice):
+    settle()
     sheets = member_sheets(RECORDS[choice], STYLE)
     assert document.M1_Sheets.PageCount == len(sheets) == len(pages(document))
     assert len(document.Objects) == 2 + 5 * len(sheets)
@@ -366,3 +380,24 @@ def test_format_standard_language_and_site_follow_their_properties(document):
     document.undo()
     document.recompute()
     assert shown(document) == before
+
+
+def test_the_general_arrangement_is_a_page_that_follows_its_members(document):
+    arrangement = document.addObject("App::FeaturePython", "Arrangement")
+    ArrangementSet(arrangement)
+    arrangement.Sheets = [document.M1_Sheets]
+    document.recompute()
+    own = [page for page in pages(document) if outlines_of(page).Set == arrangement]
+    assert arrangement.PageCount == len(own) == 1 and arrangement.Status == "ok"
+    wanted = arrangement_sheets([RECORDS[1]], style_of(document.M1_Sheets))
+    assert symbol_of(own[0]).Symbol == symbol_svg(wanted[0])
+    document.Source.Choice = 9
+    document.recompute()
+    wanted = arrangement_sheets([RECORDS[9]], style_of(document.M1_Sheets))
+    assert symbol_of(own[0]).Symbol == symbol_svg(wanted[0])
+    document.Source.Choice = -1
+    document.recompute()
+    assert "no member can be drawn" in symbol_of(own[0]).Symbol
+    arrangement.Sheets = []
+    document.recompute()
+    assert arrangement.PageCount == 1 and "no member can be drawn" in symbol_of(own[0]).Symbol

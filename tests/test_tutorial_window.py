@@ -120,6 +120,7 @@ def test_what_is_made_later_is_folded_under_its_member_at_once(tutorial):
 
 def test_nothing_is_in_error_and_the_package_is_complete(tutorial):
     assert tutorial["check"]["errors"] == []
+    assert tutorial["check"]["found"] == ["joints of faces top and left are too close"]
     found = tutorial["export"]
     assert found["cut"] == [f"{mark}.dxf" for mark in found["marks"]]
     assert {"M1.pdf", "M2.pdf", "M3.pdf"} <= set(found["sheets"])

@@ -49,6 +49,7 @@ def window(tmp_path_factory, request):
         SCRIPT,
         folder,
         LIGHT if request.param == "light" else DARK,
+        time_limit=400,
         pictures=PICTURES / request.param,
         document=save_document(folder / "headless.FCStd"),
     )

@@ -19,14 +19,16 @@ pytestmark = pytest.mark.slow
 def window(tmp_path_factory):
     """What the session with commands and panels saw, step by step."""
     script = SCRIPTS / "commands_session.py"
-    return run_in_window(script, tmp_path_factory.mktemp("window"), pictures=PICTURES)
+    folder = tmp_path_factory.mktemp("window")
+    return run_in_window(script, folder, time_limit=400, pictures=PICTURES)
 
 
 @pytest.fixture(scope="module")
 def output(tmp_path_factory):
     """What the session that writes and opens files saw."""
     script = SCRIPTS / "output_session.py"
-    seen = run_in_window(script, tmp_path_factory.mktemp("output"), pictures=PICTURES)
+    folder = tmp_path_factory.mktemp("output")
+    seen = run_in_window(script, folder, time_limit=400, pictures=PICTURES)
     assert "failed" not in seen["output"], seen["output"]["failed"]
     return seen["output"] | {"report_view": seen["report_view"]}
 

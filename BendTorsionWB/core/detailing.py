@@ -233,7 +233,7 @@ def record_of(plates: MemberPlates, given: PatternInput = PLAIN) -> MemberRecord
         member.law.strips,
         rows,
         plates.given.welds,
-        member.node_records,
+        {node.node for node in member.node_records if node.type == "stub"},
     )
     findings += weld_findings
     developed = with_bevels(developed, welds, plates.given.welds.bevel_step, given.contour)

@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import openpyxl
+from openpyxl.cell.cell import ILLEGAL_CHARACTERS_RE
 
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.exchange.schedule_columns import SHEETS
@@ -95,8 +96,8 @@ def _rows(path: Path) -> list[list[str]]:
                 continue
     if text is None:
         raise UnicodeError("save it as UTF-8")
-    if "\x00" in text:
-        raise csv.Error("it holds zero bytes")
+    if ILLEGAL_CHARACTERS_RE.search(text):
+        raise csv.Error("it holds control characters")
     first = next((line for line in text.splitlines() if line.strip()), "")
     separator = max(_SEPARATORS, key=first.count)
     rows = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)

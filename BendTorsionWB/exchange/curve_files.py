@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import struct
 from pathlib import Path
 
 import ezdxf
@@ -17,6 +18,21 @@ from ..core.geometry.curve import Curve
 
 # $INSUNITS to mm; 0 (no unit) counts as mm.
 UNITS = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 14: 100.0}
+LARGEST_FILE = 50e6
+"""Bytes."""
+DAMAGES = (
+    DXFError,
+    ArithmeticError,
+    AssertionError,
+    AttributeError,
+    LookupError,
+    RecursionError,
+    StopIteration,
+    struct.error,
+    TypeError,
+    ValueError,
+)
+"""What ezdxf raises for damaged files."""
 KINDS = ("SPLINE", "ARC", "CIRCLE", "ELLIPSE", "LWPOLYLINE", "POLYLINE", "LINE", "POINT")
 
 
@@ -37,7 +53,7 @@ def dxf_unit(path: str | Path) -> float | None:
     """mm in the unit a DXF file declares; None when it tells none or cannot be read."""
     try:
         code = ezdxf.readfile(path).header.get("$INSUNITS", 0)
-    except (OSError, DXFError):
+    except (OSError, *DAMAGES):
         return None
     return UNITS.get(code) if code else None
 
@@ -46,8 +62,10 @@ def dxf_axes(path: str | Path) -> dict[str, AxisSource]:
     """All sources of a DXF file: by layer, then by handle of each entity."""
     path = Path(path)
     try:
+        if path.stat().st_size > LARGEST_FILE:
+            raise DXFError(f"it is larger than {LARGEST_FILE / 1e6:g} MB")
         document = ezdxf.readfile(path)
-    except (OSError, DXFError) as problem:
+    except (OSError, *DAMAGES) as problem:
         raise BendTorsionError(
             error(
                 "axis-file",
@@ -102,6 +120,10 @@ def dxf_axes(path: str | Path) -> dict[str, AxisSource]:
         except BendTorsionError as problem:
             # A layer of many things is no axis; each of them may be one.
             sources[name] = AxisSource(name, findings=problem.findings)
+        except DAMAGES as problem:
+            message = f"an entity cannot be read: {problem}"
+            damaged = error("axis-file", path.name, message, "draw it anew", position=name)
+            sources[name] = AxisSource(name, findings=(damaged,))
     return sources
 
 

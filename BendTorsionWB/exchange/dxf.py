@@ -12,6 +12,7 @@ import numpy as np
 from ezdxf.lldxf.validator import is_valid_layer_name
 
 from ..core.finding import BendTorsionError, error
+from ..core.geometry.arc_contour import extents
 from ..core.geometry.arc_fit import FIT_TOLERANCE, fit_outline
 from ..core.lofting import DevelopedPlate, FoldLine
 from ..core.patterns.cut_contour import cut_contour
@@ -86,7 +87,7 @@ def plate_dxf(
     names = _layer_names(layers)
     plate = cut_contour(plate).plate
     outline = fit_outline(plate.outline, tolerance, plate.mark)
-    corners = np.array([[0.0, 0.0], [plate.length, plate.width]])
+    corners = np.array([(0.0, 0.0), extents(outline)])
     return dxf_bytes(layers_of(names), corners, draw_plate(plate, outline, names, tolerance))
 
 
@@ -250,10 +251,15 @@ def _panels(plate: DevelopedPlate) -> list[tuple[np.ndarray, np.ndarray]]:
 
 
 def _centre(plate: DevelopedPlate) -> np.ndarray:
-    """A point amid the pattern: the middle of its line or fold nearest to half way along +s."""
+    """A point amid the pattern: between the middles of the lines or folds before and behind half
+    way along +s."""
+    marks = sorted((*plate.lines, *plate.folds), key=lambda mark: mark.s)
+    if not marks:
+        return np.zeros(2)
     half = 0.5 * (plate.s_start + plate.s_end)
-    middle = min((*plate.lines, *plate.folds), key=lambda mark: abs(mark.s - half), default=None)
-    return np.zeros(2) if middle is None else middle.flat.mean(axis=0)
+    before = [mark for mark in marks if mark.s < half] or marks[:1]
+    behind = [mark for mark in marks if mark.s >= half] or marks[-1:]
+    return 0.5 * (before[-1].flat.mean(axis=0) + behind[0].flat.mean(axis=0))
 
 
 def _field_size(panel: tuple[np.ndarray, np.ndarray]) -> tuple[float, float]:

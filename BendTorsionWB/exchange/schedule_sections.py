@@ -158,10 +158,13 @@ def _complete(record, kind: str, rows, faults) -> bool:
         _report(faults, record, column, "size-not-used", message, mend)
     for column in (c for c in NEEDED[kind] if record[c] is None):
         _report(faults, record, column, "value-missing", "the cell is empty", f"fill in {column}")
-    if kind == "strips" and not rows:
+    # Rows of strips that cannot be read are told at their cells.
+    unread = any(place.sheet == "Strips" for place, _ in faults)
+    if kind == "strips" and not rows and not unread:
         message = f"section {record['section']} has no strips"
         _report(faults, record, "type", "strips-missing", message, "add its plates to sheet Strips")
-    return len(faults) == before and _thick(record, kind, faults)
+    found = kind != "strips" or bool(rows)
+    return found and len(faults) == before and _thick(record, kind, faults)
 
 
 def _thick(record, kind: str, faults) -> bool:

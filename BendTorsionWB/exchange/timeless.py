@@ -9,6 +9,7 @@ import itertools
 import re
 import uuid
 import zipfile
+from collections.abc import Sequence
 from pathlib import Path
 
 TIME = "1980-01-01T00:00:00Z"
@@ -33,10 +34,16 @@ def timeless_step(content: bytes, name: str, software: str) -> bytes:
     return header + separator + rest
 
 
-def timeless_document(path: Path) -> None:
-    """A FreeCAD document rewritten in place: entries in order, without times and random ids."""
+def timeless_document(path: Path, shown: Sequence[str] = ()) -> None:
+    """A FreeCAD document rewritten in place: entries in order, without times and random ids.
+
+    shown: names of its objects, none of which has a view of its own making, that are visible when
+    it is opened; without a window FreeCAD saves no views, and what has none is hidden.
+    """
     with zipfile.ZipFile(path) as source:
         entries = [(info.filename, source.read(info)) for info in source.infolist()]
+    if shown:
+        entries.append(("GuiDocument.xml", _views(shown).encode()))
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=3) as target:
         for name, content in entries:
             if name == "Document.xml":
@@ -44,6 +51,19 @@ def timeless_document(path: Path) -> None:
             info = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
             info.compress_type = zipfile.ZIP_DEFLATED
             target.writestr(info, content, compresslevel=3)
+
+
+def _views(shown: Sequence[str]) -> str:
+    visible = (
+        '<Properties Count="1"><Property name="Visibility" type="App::PropertyBool">'
+        '<Bool value="true"/></Property></Properties>'
+    )
+    views = "".join(f'<ViewProvider name="{name}">{visible}</ViewProvider>' for name in shown)
+    return (
+        "<?xml version='1.0' encoding='utf-8'?>\n"
+        '<Document SchemaVersion="1"><ViewProviderData Count="'
+        f'{len(shown)}">{views}</ViewProviderData><Camera settings=""/></Document>\n'
+    )
 
 
 def _timeless_xml(text: str) -> str:

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 from ..core.lofting import MemberRecord
 from ..core.welds.preps import prep_text
 from ..core.welds.weld_record import Weld
+from .figures import degrees
 from .xlsx_file import FINE, TENTH, TEXT, WHOLE, Column, Table
 
 JOINTS = (
@@ -61,7 +62,7 @@ def weld_json(weld: Weld) -> dict:
         "from_mm": weld.start,
         "to_mm": weld.end,
         "length_mm": weld.length,
-        "dihedral_deg": math.degrees(weld.dihedral),
+        "dihedral_deg": degrees(weld.dihedral),
         "prep": prep_text(weld.prep),
         "place": weld.place,
         "ndt": weld.ndt,

@@ -35,6 +35,11 @@ def choice(title: str, label: str, choices: list[str]) -> str | None:
     return text if accepted else None
 
 
+def warn(text: str) -> None:
+    """Show what could not be done, and wait until it is read."""
+    QtWidgets.QMessageBox.warning(FreeCADGui.getMainWindow(), "BendTorsion", text)
+
+
 def tell(text: str) -> None:
     """Show what was done in the status bar for a while."""
     FreeCADGui.getMainWindow().statusBar().showMessage(text, 10000)

@@ -41,7 +41,22 @@ def import_schedule(document) -> None:
 def _open_schedule(title: str, path, sheets: bool = False) -> None:
     with progress(title):
         macro.on_files(None, "open_schedule", str(path), sheets=sheets)
-    FreeCADGui.SendMsgToActiveView("ViewFit")
+    _look_at_members(FreeCAD.ActiveDocument)
+
+
+def _look_at_members(document) -> None:
+    """Turn the view to the plates; surfaces may be much larger than what is built on them."""
+    view = FreeCADGui.getDocument(document.Name).ActiveView
+    if not hasattr(view, "viewIsometric"):
+        return
+    view.viewIsometric()
+    FreeCADGui.Selection.clearSelection()
+    for item in document.Objects:
+        if getattr(item, "BT_Type", "") == "PlateSet":
+            FreeCADGui.Selection.addSelection(document.Name, item.Name)
+    chosen = bool(FreeCADGui.Selection.getSelection())
+    FreeCADGui.SendMsgToActiveView("ViewSelection" if chosen else "ViewFit")
+    FreeCADGui.Selection.clearSelection()
 
 
 def write_schedule(document) -> None:
@@ -80,7 +95,7 @@ def example(document) -> None:
     if path is None:
         return
     macro.on_files(None, "open_template", titles[chosen], path)
-    FreeCADGui.SendMsgToActiveView("ViewFit")
+    _look_at_members(FreeCAD.ActiveDocument)
 
 
 COMMANDS = (

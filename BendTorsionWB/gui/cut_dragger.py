@@ -160,22 +160,27 @@ class CutDragger:
 
 
 def handles_of(member) -> list[Handle]:
-    """The cuts of a core Member."""
+    """The cuts of a core Member: where its transitions start, or segments without one."""
     from BendTorsionWB.core.members.zone_table import zone_records
 
-    found = []
+    zones = {}
     for zone in zone_records(member.law):
-        if not zone.label.startswith("b-"):
-            continue
-        segment = int(zone.label.removeprefix("b-")) + 1
-        before, behind = (_outline(member, s) for s in (zone.start, zone.end))
-        found.append(Handle(segment, zone.start, zone.end - zone.start, before, behind))
+        zones.setdefault(zone.label, zone)
+    found = []
+    segments = sum(label.startswith("d-") for label in zones)
+    for segment in range(2, segments + 1):
+        zone = zones.get(f"b-{segment - 1}")
+        start = zone.start if zone else zones[f"d-{segment}"].start
+        end = zone.end if zone else start
+        before, behind = _outline(member, start, 0), _outline(member, end, -1)
+        found.append(Handle(segment, start, end - start, before, behind))
     return found
 
 
-def _outline(member, s: float) -> np.ndarray:
-    """The rectangle (4, 2) around the section at s, in (y, z)."""
-    cell = next((c for c in member.law.cells if c.start <= s <= c.end), member.law.cells[-1])
+def _outline(member, s: float, side: int) -> np.ndarray:
+    """The rectangle (4, 2) around the section at s, in (y, z); side: 0 just before s, -1 behind."""
+    cells = [cell for cell in member.law.cells if cell.start <= s <= cell.end]
+    cell = cells[side] if cells else member.law.cells[-1]
     corners = cell.corners_at(np.array([s]))[0]
     low, high = corners.min(axis=0), corners.max(axis=0)
     return np.array([low, (high[0], low[1]), high, (low[0], high[1])])
@@ -183,7 +188,9 @@ def _outline(member, s: float) -> np.ndarray:
 
 def read_out(handle: Handle, number: int) -> str:
     """What is said of a cut beside it."""
-    text = translate("BendTorsion", "Cut {number}: s = {s:.0f} mm").format(number=number, s=handle.s)
+    text = translate("BendTorsion", "Cut {number}: s = {s:.0f} mm").format(
+        number=number, s=handle.s
+    )
     if handle.length:
         more = translate("BendTorsion", "transition {length:.0f} mm").format(length=handle.length)
         text = f"{text}, {more}"
@@ -214,5 +221,5 @@ def _picture(frames, handle: Handle, is_held: bool) -> coin.SoSeparator:
         group.addChild(node)
     top = at.origin[0] + (handle.before[:, 1].max() * 1.3) * at.z[0]
     text = read_out(handle, handle.segment)
-    group.addChild(node_of(Label(text, top, TEXT_COLOURS, 11 if is_held else 9, 0.0, framed=True)))
+    group.addChild(node_of(Label(text, top, TEXT_COLOURS, 11 if is_held else 9, 0.0)))
     return group

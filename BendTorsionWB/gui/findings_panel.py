@@ -85,7 +85,11 @@ def view_of(document):
     views = shown.mdiViewsOfType("Gui::View3DInventor")
     if not views:
         return None
-    shown.setActiveView(views[0])
+    frame = views[0].graphicsView()
+    while frame is not None and not isinstance(frame, QtWidgets.QMdiSubWindow):
+        frame = frame.parentWidget()
+    if frame is not None:
+        frame.mdiArea().setActiveSubWindow(frame)
     return views[0]
 
 
@@ -104,6 +108,17 @@ def go_to(document, place: FreeCAD.Vector) -> None:
     camera.focalDistance = distance
     eye = place - direction * distance
     camera.position.setValue(eye.x, eye.y, eye.z)
+
+
+def _shown_for(obj) -> list:
+    """The plates that are seen in place of a hidden member."""
+    if getattr(obj, "BT_Type", "") != "Member" or obj.ViewObject.Visibility:
+        return []
+    return [
+        user
+        for user in obj.InList
+        if getattr(user, "BT_Type", "") == "PlateSet" and user.ViewObject.Visibility
+    ]
 
 
 def _axis_of(obj):
@@ -153,6 +168,8 @@ class FindingsPanel(DocumentDock):
         obj, sub = owner(self.document, obj, finding)
         FreeCADGui.Selection.clearSelection()
         FreeCADGui.Selection.addSelection(self.document.Name, obj.Name, sub)
+        for item in _shown_for(obj):
+            FreeCADGui.Selection.addSelection(self.document.Name, item.Name)
         place = place_of(obj, finding)
         if place is not None:
             go_to(self.document, place)

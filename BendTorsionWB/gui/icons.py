@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from functools import cache
 
+import FreeCADGui
+
 from BendTorsionWB.gui import resources
 from BendTorsionWB.gui.qt import QtCore, QtGui
 
@@ -34,7 +36,7 @@ def path_of(kind: str) -> str:
 @cache
 def icon_of(kind: str, severity: str):
     """The icon (QIcon) of a kind; severity: of the worst finding, empty when there is none."""
-    plain = QtGui.QIcon(path_of(kind))
+    plain = _drawn(kind)
     icon = QtGui.QIcon()
     # The tree greys the icons of hidden objects; a badge is to stand out there too, and a member
     # that shows as its plates is not hidden.
@@ -42,6 +44,16 @@ def icon_of(kind: str, severity: str):
         shown_as = QtGui.QIcon.Normal if kind == "Member" else mode
         icon.addPixmap(_with_badge(plain.pixmap(SIZE, SIZE, shown_as), severity), mode)
     return icon
+
+
+def _drawn(kind: str):
+    """The icon (QIcon) of a kind as its file has it."""
+    plain = QtGui.QIcon(path_of(kind))
+    if plain.pixmap(SIZE, SIZE).isNull():
+        # Qt 6 reads SVG by a plug-in that need not be installed; FreeCAD draws SVG by itself.
+        FreeCADGui.addIconPath(str(resources.FOLDER / "icons"))
+        plain = FreeCADGui.getIcon(ICONS.get(kind, "BendTorsion"))
+    return plain
 
 
 def _with_badge(picture, severity: str):

@@ -17,6 +17,8 @@ from pivy import coin
 
 PER_LETTER, PER_LINE = 0.66, 1.5
 """Width of a letter and height of a line as parts of the size of a text."""
+FRAME = 8.0
+"""Pixels of the frame around a text, both sides."""
 CELL = 8.0
 """Pixels: the screen is shared out in cells this wide and high."""
 
@@ -32,14 +34,12 @@ class Label:
     size: int
     room: float
     rank: int = 0
-    framed: bool = False
     normal: np.ndarray | None = None
 
     @property
     def pixels(self) -> tuple[float, float]:
         """Width and height on the screen."""
-        frame = 8.0 if self.framed else 2.0
-        return PER_LETTER * self.size * len(self.text) + frame, PER_LINE * self.size + frame
+        return PER_LETTER * self.size * len(self.text) + FRAME, PER_LINE * self.size + FRAME
 
 
 class LabelLayer:
@@ -59,7 +59,11 @@ class LabelLayer:
         self.node.renderCaching = coin.SoSeparator.OFF
         before = coin.SoCallback()
         before.setCallback(_thin_out, self)
+        # Names of faces turned away are left out; those that are shown are shown whole.
+        front = coin.SoDepthBuffer()
+        front.test = False
         self.node.addChild(before)
+        self.node.addChild(front)
         self.node.addChild(self.group)
         # A building has ten thousand labels, of which a few hundred are ever seen.
         self.nodes: dict[int, coin.SoSeparator] = {}
@@ -87,8 +91,8 @@ def node_of(label: Label) -> coin.SoSeparator:
     made.addChild(move)
     frame = coin.SoType.fromName("SoFrameLabel").createInstance()
     frame.set(f'string "{label.text}" textColor {label.colours[0]}')
-    frame.set(f"backgroundColor {label.colours[1]} size {label.size}")
-    frame.set(f"frame {'TRUE' if label.framed else 'FALSE'}")
+    # Without a frame it has no ground either, and is not read on plates of every colour.
+    frame.set(f"backgroundColor {label.colours[1]} size {label.size} frame TRUE")
     made.addChild(frame)
     return made
 
@@ -153,9 +157,10 @@ def _thin_out(layer: LabelLayer, action) -> None:
     # What follows depends on the camera, whatever separators above would keep.
     coin.SoCacheElement.invalidate(state)
     model = np.array(coin.SoModelMatrixElement.get(state).getValue())
-    region = coin.SoViewportRegionElement.get(state).getViewportSizePixels().getValue()
+    pixels_of = coin.SoViewportRegionElement.get(state).getViewportSizePixels()
+    region = (pixels_of[0], pixels_of[1])  # getValue() of newer pivy is a bare address
     camera = np.array(coin.SoViewVolumeElement.get(state).getMatrix().getValue())
-    key = camera.tobytes() + repr(tuple(region)).encode()
+    key = camera.tobytes() + repr(region).encode()
     matrix = model @ camera
     if key != _Picture.key or id(layer) in _Picture.layers:
         _Picture.key, _Picture.layers, _Picture.taken = key, set(), set()

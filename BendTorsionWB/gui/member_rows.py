@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -127,6 +128,21 @@ def rows_of(document) -> list[Row]:
         for k in range(1, member.Segments + 1):
             rows.append(Row(member, k, plates[0] if plates and k == 1 else None))
     return rows
+
+
+def faults(rows) -> dict[tuple[int, int], str]:
+    """The cells that errors of the members name, by segment and column, with the reason."""
+    found = {}
+    for r, row in enumerate(rows):
+        for record in map(json.loads, row.member.Findings):
+            words = f"{record['position']} {record['message']}".replace(",", " ").split()
+            if record["severity"] != "error" or words[:2] != ["segment", str(row.segment)]:
+                continue
+            column = next((word for word in words[2:] if word in COLUMNS[2:]), "")
+            if column:
+                reason = f"{record['message']}. {record['mend']}"
+                found.setdefault((r, COLUMNS.index(column)), reason)
+    return found
 
 
 def edits_of(rows, cells: Mapping[tuple[int, int], str]) -> tuple[list[tuple], dict]:

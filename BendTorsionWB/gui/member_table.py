@@ -48,6 +48,8 @@ class MemberTable(DocumentDock):
             for obj in filter(None, (row.member, row.plates)):
                 if obj.Status not in ("", "ok"):
                     self.table.flag(r, 0, obj.Status)
+        for (r, c), reason in member_rows.faults(self.rows).items():
+            self.table.flag(r, c, reason)
         if not self.sized and self.rows:
             self.table.resizeColumnsToContents()
             self.sized = True

@@ -155,7 +155,9 @@ class AlignmentPanel(TaskPanel):
         self.picker.chosen.connect(self._align)
         line = QtWidgets.QHBoxLayout()
         line.addWidget(self.picker)
-        hint = QtWidgets.QLabel(translate("BendTorsion", "or click the member where the axis is to be"))
+        hint = QtWidgets.QLabel(
+            translate("BendTorsion", "or click the member where the axis is to be")
+        )
         hint.setWordWrap(True)
         line.addWidget(hint, 1)
         self.body.addLayout(line)

@@ -11,8 +11,10 @@ from BendTorsionWB.gui.label_layer import Label
 
 MARK_LIFT = 0.15
 """A mark floats above the middle of its plate by this part of the plate's width, so that it is
-seen from outside and hidden by the member from behind."""
+seen from outside; from behind it is left out."""
 POINT_LIFT = 12.0
+BESIDE = 0.12
+"""The name of a line stands this part of the way to the next line behind it."""
 MARK_COLOURS = ("1 1 1", "0.1 0.2 0.32")
 LINE_COLOURS = ("0.08 0.2 0.35", "0.85 0.92 1")
 POINT_COLOURS = ("0.3 0.05 0.05", "1 0.93 0.85")
@@ -28,7 +30,6 @@ def mark_labels(record: MemberRecord) -> list[Label]:
             MARK_COLOURS,
             15,
             plate.length,
-            framed=True,
             normal=plate.placing[2, :3],
         )
         for plate in record.plates
@@ -47,15 +48,26 @@ def point_labels(record: MemberRecord) -> tuple[coin.SoSeparator | None, list[La
         labels += [
             Label(p.label, p.xyz + lift, POINT_COLOURS, 8, room, 2, normal=normal) for p in arris
         ]
-        for line in plate.lines:
-            pair = [point.xyz + lift for point in arris if point.line == line.label]
-            if len(pair) == 2:
-                ends += pair
-                middle = 0.5 * (pair[0] + pair[1])
-                labels.append(
-                    Label(line.label, middle, LINE_COLOURS, 8, room, 1, normal=normal)
-                )
+        pairs = {
+            line.label: [point.xyz + lift for point in arris if point.line == line.label]
+            for line in plate.lines
+        }
+        pairs = {name: np.array(pair) for name, pair in pairs.items() if len(pair) == 2}
+        ends += [point for pair in pairs.values() for point in pair]
+        middles = np.array([pair.mean(axis=0) for pair in pairs.values()]).reshape(-1, 3)
+        labels += [
+            Label(name, place, LINE_COLOURS, 8, room, 1, normal=normal)
+            for name, place in zip(pairs, beside(middles), strict=True)
+        ]
     return (_lines(np.array(ends)) if ends else None), labels
+
+
+def beside(middles: np.ndarray) -> np.ndarray:
+    """Places (n, 3) a little behind the middles of lines, so that no line goes through its name."""
+    if len(middles) < 2:
+        return middles
+    steps = np.diff(middles, axis=0)
+    return middles + BESIDE * np.concatenate([steps, steps[-1:]])
 
 
 def _middle(plate: DevelopedPlate) -> np.ndarray:

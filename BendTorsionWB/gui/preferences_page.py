@@ -6,13 +6,16 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui
 
+from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.core.patterns.layer_names import layer_names
+from BendTorsionWB.gui import ask
 from BendTorsionWB.gui.preferences import LAYERS, OTHERS, SECTIONS, SHEETS
-from BendTorsionWB.gui.property_form import quantity_field
+from BendTorsionWB.gui.property_form import FLAWED, quantity_field
 from BendTorsionWB.gui.qt import QtWidgets
 
 translate = FreeCAD.Qt.translate
 LEAST = 0.0001
-LANGUAGES = {"English": "English", "Chinese Simplified": "简体中文"}
+LANGUAGES = {"en": "English", "zh-CN": "简体中文"}
 """Languages the workbench speaks, by FreeCAD's names, each in itself."""
 GENERAL = "User parameter:BaseApp/Preferences/General"
 
@@ -111,6 +114,8 @@ class OutputPage(_Page):
         self.layout.addWidget(box)
         self.group(translate("BendTorsion", "Drawing sheets"), SHEETS)
         self.group(translate("BendTorsion", "Layers of cut files"), LAYERS)
+        for _, field in self._layers():
+            field.textChanged.connect(lambda _: self._layers_fault())
         self.note(
             translate(
                 "BendTorsion",
@@ -123,14 +128,41 @@ class OutputPage(_Page):
         """With the language FreeCAD speaks now."""
         super().loadSettings()
         now = FreeCADGui.getLocale()
-        names = {**LANGUAGES, now: LANGUAGES.get(now, now)}
+        # By code: FreeCAD 1.1 has other names for its languages than 0.20.
+        locales = FreeCADGui.supportedLocales()
+        names = {name: LANGUAGES[code] for name, code in locales.items() if code in LANGUAGES}
+        names.setdefault(now, now)
         self.language.clear()
         for name, own in names.items():
             self.language.addItem(own, name)
         self.language.setCurrentIndex(self.language.findData(now))
 
+    def _layers(self) -> list:
+        """(preference, field) of each layer."""
+        return [pair for pair in self.fields.values() if pair[0] in LAYERS]
+
+    def _layers_fault(self) -> str:
+        """Why the names of layers cannot be, marked at their fields; empty when they can."""
+        lines = [f"{item.default}={field.text().strip()}" for item, field in self._layers()]
+        faults = {}
+        try:
+            layer_names((line for line in lines if not line.endswith("=")), "")
+        except BendTorsionError as problem:
+            faults = {f.value: f"{f.message}: {f.mend}" for f in problem.findings}
+        for (_, field), line in zip(self._layers(), lines, strict=True):
+            reason = faults.get(line) or faults.get(line.split("=", 1)[1].lower(), "")
+            field.setStyleSheet(FLAWED if reason else "")
+            field.setToolTip(reason)
+        return "\n".join(faults.values())
+
     def saveSettings(self):
-        """FreeCAD speaks the language from now on, and when it starts again."""
+        """FreeCAD speaks the language from now on, and when it starts again. Names of layers that
+        cannot be are told, and those of before stay."""
+        fault = self._layers_fault()
+        if fault:
+            for item, field in self._layers():
+                field.setText(item.value)
+            ask.warn(fault)
         super().saveSettings()
         wanted = self.language.currentData()
         if wanted and wanted != FreeCADGui.getLocale():

@@ -210,14 +210,22 @@ def text_fault(field, text: str, unit: str) -> str:
 
 def _new_quantity_field():
     # PySide knows widgets that FreeCAD's loader made by their address even when Qt has deleted
-    # them, and gives the dead one for a new one at its place; the next is made at another.
+    # them, and gives the dead one (PySide6: its signals) for a new one at its place; the next is
+    # made at another, while the refused ones live.
+    refused = []
     while True:
         field = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
         try:
             field.objectName()
+            field.valueChanged.connect(_nothing)
         except RuntimeError:
+            refused.append(field)
             continue
         return field
+
+
+def _nothing(*_) -> None:
+    """Takes a signal, to see that it has a source."""
 
 
 def _expression(obj, name: str) -> str:

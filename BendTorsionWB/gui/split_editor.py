@@ -18,6 +18,11 @@ from BendTorsionWB.gui.task_panel import TaskPanel
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+STEP = 10.0
+"""Millimetres a joint moves with an arrow key; ten times with Shift."""
+MOVES = {QtCore.Qt.Key_Left: -STEP, QtCore.Qt.Key_Right: STEP}
+TURNS = {QtCore.Qt.Key_Up: -1, QtCore.Qt.Key_Down: 1}
+KEYS = (*MOVES, *TURNS, QtCore.Qt.Key_Insert, QtCore.Qt.Key_Delete)
 CLEAR = 1.0
 """Least distance of joints while they are dragged, mm."""
 SAME = 0.5
@@ -54,7 +59,7 @@ class SplitPanel(TaskPanel):
         self.which = QtWidgets.QLabel()
         self.place = quantity_field(0.0, "mm", 0.0)
         self.place.setObjectName("place")
-        self.place.setMinimumWidth(130)
+        self.place.setMinimumWidth(170)
         self.place.valueChanged.connect(self._typed)
         line = QtWidgets.QHBoxLayout()
         line.addWidget(self.which, 1)
@@ -139,6 +144,24 @@ class SplitPanel(TaskPanel):
         del self.joints[face][k]
         self.focus = None
         self._write(face)
+
+    def press(self, key: int, shift: bool) -> None:
+        """What a key does to the joint chosen: moves it, goes to the next, adds one, removes it."""
+        item = self.scene.focusItem()
+        if isinstance(item, JointItem):
+            self.focus = item.face, item.k
+        chosen = self.focus is not None and self.focus[1] < len(self.joints[self.focus[0]])
+        if key in TURNS or not chosen:
+            self.choose_next(TURNS.get(key, 1))
+            return
+        face, k = self.focus
+        if key in MOVES:
+            step = MOVES[key] * (10.0 if shift else 1.0)
+            self.move_joint(face, k, self.joints[face][k] + step)
+        elif key == QtCore.Qt.Key_Insert:
+            self.divide(face)
+        else:
+            self.remove_joint(face, k)
 
     def choose_next(self, step: int) -> None:
         """Give the next or the former joint the focus, face by face."""
@@ -302,10 +325,18 @@ class _View(QtWidgets.QGraphicsView):
         """Fit the drawing into the view."""
         self.fitInView(self.scene().sceneRect(), QtCore.Qt.KeepAspectRatio)
 
+    def event(self, event):
+        """Keep the keys of the editor from FreeCAD's shortcuts: Del would delete the plates."""
+        if event.type() == QtCore.QEvent.ShortcutOverride and event.key() in KEYS:
+            event.accept()
+            return True
+        return super().event(event)
+
     def keyPressEvent(self, event):
-        """To the joint that has the focus; the first one gets it."""
-        if self.scene().focusItem() is None:
-            self.panel.choose_next(1)
+        """Keys of the editor go no further than here."""
+        if event.key() in KEYS:
+            self.panel.press(event.key(), bool(event.modifiers() & QtCore.Qt.ShiftModifier))
+            event.accept()
         else:
             super().keyPressEvent(event)
 

@@ -9,9 +9,7 @@ from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
 
 WIDTH, GAP, LEFT, LEAST_HEIGHT = 700.0, 26.0, 60.0, 26.0
 PLATES = ("#e8b84a", "#f3d58c")
-KEPT, BROKEN = "#2e7d32", "#c62828"
-STEP = 10.0
-"""Millimetres a joint moves with an arrow key; ten times with Shift."""
+KEPT, BROKEN = "#43a047", "#e53935"
 
 
 class Row:
@@ -97,7 +95,7 @@ class JointItem(QtWidgets.QGraphicsLineItem):
         reach = QtCore.QPointF(unit.dx() * 5.0, unit.dy() * 5.0)
         self.setLine(QtCore.QLineF(line.p1() - reach, line.p2() + reach))
         colour = KEPT if self.panel.keeps_rules(self.face, self.k) else BROKEN
-        wide = 6.0 if self.hasFocus() else 4.0
+        wide = 7.0 if self.panel.focus == (self.face, self.k) else 4.0
         self.setPen(QtGui.QPen(QtGui.QColor(colour), wide, QtCore.Qt.SolidLine, QtCore.Qt.RoundCap))
 
     def boundingRect(self):
@@ -121,18 +119,3 @@ class JointItem(QtWidgets.QGraphicsLineItem):
         """Tell what the rules say of it."""
         super().focusInEvent(event)
         self.panel.chosen(self.face, self.k)
-
-    def keyPressEvent(self, event):
-        """Move it by keys, go to the next, add one, or remove it."""
-        step = STEP * (10.0 if event.modifiers() & QtCore.Qt.ShiftModifier else 1.0)
-        moves = {QtCore.Qt.Key_Left: -step, QtCore.Qt.Key_Right: step}
-        turns = {QtCore.Qt.Key_Up: -1, QtCore.Qt.Key_Down: 1}
-        if event.key() in moves:
-            at = self.panel.joints[self.face][self.k] + moves[event.key()]
-            self.panel.move_joint(self.face, self.k, at)
-        elif event.key() in turns:
-            self.panel.choose_next(turns[event.key()])
-        elif event.key() == QtCore.Qt.Key_Insert:
-            self.panel.divide(self.face)
-        elif event.key() == QtCore.Qt.Key_Delete:
-            self.panel.remove_joint(self.face, self.k)

@@ -168,7 +168,9 @@ class TaskPanel:
 
     def getStandardButtons(self):
         """OK and Cancel."""
-        return int(QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel)
+        buttons = QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel
+        # FreeCAD takes a number; flags of PySide2 are one, those of PySide6 have one.
+        return int(getattr(buttons, "value", buttons))
 
     def accept(self) -> bool:
         """Keep the edits, as one undo step; not while something speaks against it."""

@@ -86,7 +86,7 @@ class ViewMouse(QtCore.QObject):
         return on_screen(places, np.array(volume.getMatrix().getValue()), size)
 
     def _view(self):
-        """The 3D view, or None. It is asked for each time: FreeCAD crashes at one that was closed."""
+        """The 3D view, or None; looked up each time, as FreeCAD crashes at one that was closed."""
         found = FreeCAD.listDocuments().get(self.document)
         views = FreeCADGui.getDocument(self.document).mdiViewsOfType(KIND) if found else ()
         return views[0] if views else None

@@ -270,11 +270,25 @@ def paint(obj) -> None:
     # Solids and patterns have faces; colours of lines FreeCAD loses while they are hidden.
     parts = obj.Shape.SubShapes
     if len(parts) != len(colours):
-        view.DiffuseColor = [view.ShapeColor]
+        _colour_faces(obj, [])
         return
-    view.DiffuseColor = [
-        colour for part, colour in zip(parts, colours, strict=True) for _ in part.Faces
-    ]
+    _colour_faces(
+        obj, [colour for part, colour in zip(parts, colours, strict=True) for _ in part.Faces]
+    )
+
+
+def _colour_faces(obj, colours: list) -> None:
+    """A colour for each face, or the object's own for all when there are none. FreeCAD 1.0 and
+    later keep them in materials, the first of which is the object's own."""
+    view = obj.ViewObject
+    if "ShapeAppearance" not in view.PropertiesList:
+        view.DiffuseColor = colours or [view.ShapeColor]
+    elif colours or len(view.ShapeAppearance) > 1:
+        clear = view.Transparency / 100.0
+        view.ShapeAppearance = [
+            FreeCAD.Material(DiffuseColor=tuple(colour), Transparency=clear)
+            for colour in colours or [APPEARANCE[obj.BT_Type][0]]
+        ]
 
 
 def _shown(obj) -> bool:

@@ -51,9 +51,7 @@ def _sheet_sets(obj) -> list:
 
 
 @lru_cache(maxsize=8)
-def _laid_out(
-    records: tuple[MemberRecord, ...], style: SheetStyle, name: str
-) -> tuple[Sheet, ...]:
+def _laid_out(records: tuple[MemberRecord, ...], style: SheetStyle, name: str) -> tuple[Sheet, ...]:
     sheets = arrangement_sheets(records, style)
     if sheets:
         return sheets

@@ -190,7 +190,8 @@ def accepted(plate: Plate, sound: bool, volume: float) -> list[Finding]:
             "solid-refused",
             plate.mark,
             "the solid is not closed, or has not the volume of the plate",
-            "report this with the document",
+            "thicknesses that change within a short transition do this: lengthen it, or bring them"
+            " closer together; else report this with the document",
             value=volume,
             limit=wanted,
             unit="mm3",

@@ -11,6 +11,22 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import steps
 
 
+def go_to_finding(document):
+    """Click a finding while a drawing page is in front: the view that is in front
+    then, and what is selected."""
+    from BendTorsionWB.gui import findings_panel
+
+    panel = findings_panel.show(document)
+    steps.settle()
+    before = str(FreeCADGui.ActiveDocument.ActiveView)
+    panel.table.cellClicked.emit(0, 0)
+    steps.settle()
+    selected = [item.Label for item in FreeCADGui.Selection.getSelection()]
+    steps.picture("finding_from_page")
+    panel.hide()
+    return [before, str(FreeCADGui.ActiveDocument.ActiveView), selected]
+
+
 def pages():
     """Pages wait until they are opened; then they follow edits, undo, and are kept in the file."""
     import TechDraw
@@ -29,6 +45,7 @@ def pages():
     steps.settle()
     FreeCADGui.SendMsgToActiveView("ViewFit")
     steps.picture("view_page")
+    result["finding"] = go_to_finding(document)
     path = os.path.join(os.environ["HOME"], "page.dxf")
     TechDraw.writeDXFPage(second, path)
     with open(path, encoding="utf-8") as file:

@@ -64,6 +64,9 @@ def changed():
 
     def fill():
         dialog = QtGui.QApplication.activeModalWidget()
+        if dialog is None:
+            QtCore.QTimer.singleShot(500, fill)
+            return
         page = next(w for w in dialog.findChildren(QtGui.QWidget) if w.objectName() == "Height")
         result["page"] = page.parent().parent().windowTitle()
         result["texts"] = [label.text() for label in page.parent().findChildren(QtGui.QLabel)]
@@ -110,21 +113,46 @@ def after():
     return {"existing": figures(document), "new": make_all()}
 
 
+def layers():
+    """Names of layers that cannot be: marked, told, and not kept."""
+    from BendTorsionWB.gui import ask
+    from BendTorsionWB.gui.preferences_page import OutputPage
+
+    page = OutputPage()
+    page.loadSettings()
+    fields = {item.name: field for item, field in page.fields.values()}
+    told, ask.warn = [], lambda text: told.append(text)
+    fields["LayerPUNCH"].setText("a/b")
+    fields["LayerREF"].setText("10")
+    marked = [
+        bool(fields[name].styleSheet()) for name in ("LayerPUNCH", "LayerREF", "LayerCUT_INNER")
+    ]
+    page.saveSettings()
+    again = OutputPage()
+    again.loadSettings()
+    kept = {
+        item.name: field.text()
+        for item, field in again.fields.values()
+        if item.name.startswith("Layer")
+    }
+    return {"marked": marked, "told": told, "kept": kept}
+
+
 def language():
     """The other language, by the page: at once, and kept for the next start."""
     from BendTorsionWB.gui.preferences_page import OutputPage
 
     page = OutputPage()
     page.loadSettings()
-    page.language.setCurrentIndex(page.language.findData("Chinese Simplified"))
+    page.language.setCurrentIndex(page.language.findText("简体中文"))
     page.saveSettings()
     steps.settle()
     kept = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/General").GetString("Language")
     return {
-        "now": FreeCADGui.getLocale(),
-        "kept": kept,
+        "now": FreeCADGui.supportedLocales()[FreeCADGui.getLocale()],
+        "kept": FreeCADGui.supportedLocales()[kept],
         "word": FreeCAD.Qt.translate("BendTorsion", "Height h"),
     }
 
 
-steps.run(before, changed, after, language)
+steps.run(before, changed, after, layers, language)

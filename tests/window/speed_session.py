@@ -137,6 +137,7 @@ def first_minute():
     wait for, the dialog apart."""
     import ImportGui
     import Part
+
     from BendTorsionWB.gui import commands_model, section_dialog, selection
 
     path = os.path.join(os.environ["HOME"], "roof.step")

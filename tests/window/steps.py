@@ -54,7 +54,7 @@ def narrow(width=400):
     main = FreeCADGui.getMainWindow()
     docks = [d for d in main.findChildren(QtGui.QDockWidget) if d.objectName() == "Combo View"]
     main.resizeDocks(docks, [width], QtCore.Qt.Horizontal)
-    tree = main.findChild(QtGui.QTreeWidget)
+    tree = document_tree()
     tree.setColumnWidth(0, width - 30)
     settle(2)
 
@@ -113,9 +113,15 @@ def words(widget):
     return [text for text in found if text]
 
 
+def document_tree():
+    """The tree of the documents; FreeCAD 1.1 has others in its window."""
+    trees = FreeCADGui.getMainWindow().findChildren(QtGui.QTreeWidget)
+    return next(tree for tree in trees if tree.metaObject().className() == "Gui::TreeWidget")
+
+
 def tree_items():
     """The texts of the tree with their depth, as they stand."""
-    tree = FreeCADGui.getMainWindow().findChild(QtGui.QTreeWidget)
+    tree = document_tree()
     found = []
 
     def walk(item, depth):

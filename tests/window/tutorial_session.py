@@ -40,7 +40,7 @@ def look(*objects):
 
 def folded_out(depth):
     """Open the tree down to a depth below the document."""
-    tree = window().findChild(QtGui.QTreeWidget)
+    tree = steps.document_tree()
     tree.expandToDepth(depth)
     steps.settle()
 
@@ -207,10 +207,29 @@ def check():
     area = window().findChild(QtGui.QMdiArea)
     area.setActiveSubWindow(area.subWindowList()[0])
     look()
+    # A joint too close to that of the next face, so that there is something to find.
+    plates = named("M1 plates")
+    webs = _plates_of(plates, "left")[0].s_end
+    plates.AutoJoints = ["bottom", "right"]
+    plates.JointsLeft, plates.JointsTop = [webs], [webs - 50.0]
     shown = run("Check")
+    rows = window().findChild(QtGui.QDockWidget, "BendTorsion_FindingsPanel").widget()
+    found = [rows.item(r, 3).text() for r in range(rows.rowCount())]
+    rows.cellClicked.emit(0, 0)
     steps.picture("9-check")
+    plates.AutoJoints = ["top", "bottom", "left", "right"]
+    plates.JointsLeft = plates.JointsTop = []
+    FreeCAD.ActiveDocument.recompute()
     errors = [o.Label for o in FreeCAD.ActiveDocument.Objects if getattr(o, "Status", "ok") != "ok"]
-    return {"shown": shown, "errors": errors}
+    return {"shown": shown, "errors": errors, "found": found}
+
+
+def _plates_of(plates, face):
+    """The developed plates of a face, along the member."""
+    from BendTorsionWB.objects import unfold
+
+    record = unfold.member_record_of(next(item for item in ours("Unfold") if item.Plates == plates))
+    return sorted((p for p in record.plates if p.face == face), key=lambda plate: plate.s_start)
 
 
 def export():

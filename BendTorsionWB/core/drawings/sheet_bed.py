@@ -60,10 +60,7 @@ def seat_rows(bed: Bed, style: SheetStyle = PLAIN_STYLE) -> list[tuple[str, ...]
 
 def point_rows(bed: Bed, style: SheetStyle = PLAIN_STYLE) -> list[tuple[str, ...]]:
     """The table of control points."""
-    return [
-        (p.line, p.corner, *map(style.measure, (p.s, *p.xyz, *p.bed)))
-        for p in bed.points
-    ]
+    return [(p.line, p.corner, *map(style.measure, (p.s, *p.xyz, *p.bed))) for p in bed.points]
 
 
 def pin_rows(bed: Bed, style: SheetStyle = PLAIN_STYLE) -> list[tuple[str, ...]]:

@@ -24,7 +24,7 @@ CROWDED = 9.0
 CLEAR = 14.0
 """mm on paper between the lines of a detail, where a scale gives it."""
 PAGE_ROOM = 40.0
-"""mm of a page's width and height kept for the labels of a detail."""
+"""mm of a page's height kept for the labels of a detail."""
 LEAST_SPACING = 20.0
 """mm; lines closer than this are not what a detail's scale goes by."""
 
@@ -39,16 +39,29 @@ def detail_blocks(
     found: dict[int, list[Block]] = {}
     for plate in plates:
         wanted = _scale(plate, scale, size[1])
-        if wanted >= scale:
-            continue
-        parts = _parts(plate, wanted, size[0] - PAGE_ROOM)
-        crowded = [part for part in parts if _closest(plate, *part) / scale < CROWDED]
-        for first, last in crowded or parts:
-            names = plate.lines[first].label, plate.lines[last].label
-            title = style.say("detail {} to {}", *names)
-            block = pattern_block(_between(plate, first, last), wanted, style, title)
-            found.setdefault(wanted, []).append(replace(block, mark=plate.mark))
+        tries = [
+            (one, room) for one in SCALES if wanted <= one < scale for room in (40.0, 70.0, 100.0)
+        ]
+        for one, room in tries:
+            blocks = _details(plate, scale, one, size[0] - room, style)
+            if all(wide <= size[0] and high <= size[1] for wide, high in (b.size for b in blocks)):
+                found.setdefault(one, []).extend(blocks)
+                break
     return dict(sorted(found.items(), reverse=True))
+
+
+def _details(
+    plate: DevelopedPlate, scale: int, larger: int, width: float, style: SheetStyle
+) -> list[Block]:
+    """The parts of a plate that are crowded at 1:scale, at 1:larger; all when none is."""
+    parts = _parts(plate, larger, width)
+    crowded = [part for part in parts if _closest(plate, *part) / scale < CROWDED]
+    blocks = []
+    for first, last in crowded or parts:
+        names = plate.lines[first].label, plate.lines[last].label
+        title = style.say("detail {} to {}", *names)
+        blocks.append(pattern_block(_between(plate, first, last), larger, style, title))
+    return blocks
 
 
 def _gaps(plate: DevelopedPlate) -> np.ndarray:

@@ -72,6 +72,8 @@ class Labels:
         if _crossed(text_box(text), self._near(box.min(axis=0), box.max(axis=0)), CLEARANCE):
             return False
         if leader is not None:
+            if _crossed(text_box(text), leader[None], 0.0):
+                return False
             (x0, y0), (x1, y1) = leader.min(axis=0) - 0.1, leader.max(axis=0) + 0.1
             for other, taken in zip(self.boxes, self.bounds, strict=True):
                 apart = x0 > taken[2] or taken[0] > x1 or y0 > taken[3] or taken[1] > y1

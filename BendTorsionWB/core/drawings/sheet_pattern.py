@@ -69,11 +69,16 @@ def _is_curved(line: StationLine) -> bool:
 
 
 def pattern_block(
-    plate: DevelopedPlate, scale: float, style: SheetStyle = PLAIN_STYLE, part: str = ""
+    plate: DevelopedPlate,
+    scale: float,
+    style: SheetStyle = PLAIN_STYLE,
+    part: str = "",
+    bare: bool = False,
 ) -> Block:
     """The plate's pattern at 1:scale with caption, labels, folds, bevels and overall dimensions.
 
     part: what a detail of it shows, in place of the caption; it has no origin and no dimensions.
+    bare: points, stations and roll lines are named in details only.
     """
     say = style.say
     corner = np.concatenate(plate.outline).min(axis=0)
@@ -117,9 +122,8 @@ def pattern_block(
             crosses += _cross((mark.flat[0] - corner) / scale, 0.5)
     for hole in plate.holes:
         crosses += _cross((hole_middle(hole) - corner) / scale, 0.8)
-    labels = Labels(
-        np.concatenate([edges / scale, rulings / scale, [line.points for line in crosses]])
-    )
+    ticks = np.array([line.points for line in crosses]).reshape(-1, 2, 2)
+    labels = Labels(np.concatenate([edges / scale, rulings / scale, ticks]))
     size = np.concatenate(plate.outline).max(axis=0) - corner
     left_out = 0
     middle = size / 2.0 / scale
@@ -132,13 +136,13 @@ def pattern_block(
             or label_beyond(labels, text, ends[0] / scale, ends[1] / scale)
             or label_beyond(labels, text, ends[1] / scale, ends[0] / scale)
         )
-    left_out += _label_points(plate, labels, corner, scale)
+    left_out += 0 if bare else _label_points(plate, labels, corner, scale)
     left_out += label_inner(plate, labels, corner, scale, say("at"))
     left_out += _label_bevels(plate, labels, stations, scale, middle, style)
     # End lines first, with how they are cut.
     order = sorted(range(len(stations)), key=lambda k: not plate.lines[k].label.startswith("E-"))
     for line, ends in ((plate.lines[k], stations[k]) for k in order):
-        if line.label in named:
+        if line.label in named or (bare and not line.label.startswith("E-")):
             continue
         outer = middle if line.label.startswith("E-") else None
         text = _line_text(plate, line.label, style)
@@ -149,7 +153,7 @@ def pattern_block(
             or label_beyond(labels, text, ends[1] / scale, ends[0] / scale)
         )
     # Radii stand where there is room; all are in the forming tables.
-    for roll, ends in zip(rolls, rolled, strict=True):
+    for roll, ends in () if bare else zip(rolls, rolled, strict=True):
         left_out += not (
             label_along(labels, roll.text(), ends / scale, None)
             or label_along(labels, roll.label, ends / scale, None)
@@ -157,7 +161,9 @@ def pattern_block(
             or label_beyond(labels, roll.label, ends[1] / scale, ends[0] / scale)
         )
     lines = [*labels.leaders, *crosses]
-    bounds = np.array([*labels.bounds, (0.0, 0.0, *(size / scale))])
+    # Roll lines of a detail may begin or end beside it.
+    reach = np.concatenate([rulings.reshape(-1, 2), np.zeros((1, 2)), size[None]]) / scale
+    bounds = np.array([*labels.bounds, (*reach.min(axis=0), *reach.max(axis=0))])
     low, high = bounds[:, :2].min(axis=0), bounds[:, 2:].max(axis=0)
     dimensions, figures = _dimensions(size, scale, low[1] - 5.5, high[0] + 5.5, style)
     left, room = min(low[0], 0.0), max(size[0] / scale, CAPTION_ROOM)
@@ -165,7 +171,9 @@ def pattern_block(
         dimensions, figures = [], []
         caption = _detail_caption(plate, part, scale, left_out, left, high[1] + 3.0, style)
     else:
-        caption = _caption(plate, left_out, left, high[1] + 3.0, room, style)
+        words = say("points, stations and roll lines are named in the details") if bare else ""
+        words = words or _left_out(left_out, style)
+        caption = _caption(plate, words, left, high[1] + 3.0, room, style)
     texts = (*labels.texts, *figures, *caption)
     boxes = np.array([[*text_box(text).min(axis=0), *text_box(text).max(axis=0)] for text in texts])
     box = (
@@ -285,7 +293,7 @@ def _dimensions(
 
 
 def _caption(
-    plate: DevelopedPlate, left_out: int, x: float, y: float, room: float, style: SheetStyle
+    plate: DevelopedPlate, words: str, x: float, y: float, room: float, style: SheetStyle
 ) -> list[Text]:
     """Mark and plate above the pattern in large, what else the shop asks of it below them."""
     say, gross = style.say, plate.gross
@@ -299,7 +307,7 @@ def _caption(
         say("face {}", say(plate.face)),
         say("marking face: {}, up", say(plate.marking_face)),
         say("rolling direction along u"),
-        _left_out(left_out, style),
+        words,
     ]
     lines = wrapped("; ".join(part for part in parts if part), LABEL_HEIGHT, room)
     if plate.forming_data is not None:

@@ -27,6 +27,8 @@ MORE_PAGES = 1.25
 LABEL_ROOM = (28.0, 18.0)
 """mm; what labels and dimensions add to a pattern's width and height, about."""
 LEAST_ROWS = 8
+MANY_LEFT_OUT = 8
+"""Labels without room beyond which a plate that has details names its points there alone."""
 PATTERN_NOTE = (
     "Patterns show the net plate before forming, its {} laid flat, seen from the marking face, "
     "which is up. u runs right and v up from the cross at the lower left corner of each pattern's "
@@ -91,15 +93,23 @@ def _drawn_pages(
         sizes = [block.size for block in blocks]
         if all(w <= area[2] - area[0] and h <= area[3] - area[1] for w, h in sizes):
             break
+    crowded = [p for p, b in zip(plates, blocks, strict=True) if b.left_out and p.lines]
+    room = (area[2] - area[0], area[3] - area[1])
+    details = detail_blocks(crowded, scale, room, style)
+    detailed = {block.mark for own in details.values() for block in own}
+    blocks = [
+        pattern_block(plate, scale, style, bare=True)
+        if block.left_out > MANY_LEFT_OUT and plate.mark in detailed
+        else block
+        for plate, block in zip(plates, blocks, strict=True)
+    ]
     groups = [
         [block, *_tables(block.size, listings[plate.mark], area, say("continued"))]
         for plate, block in zip(plates, blocks, strict=True)
     ]
     sets = [(heading, scale, groups)]
-    crowded = [p for p, b in zip(plates, blocks, strict=True) if b.left_out and p.lines]
-    room = (area[2] - area[0], area[3] - area[1])
-    for larger, details in detail_blocks(crowded, scale, room, style).items():
-        sets.append((say("flat patterns: details"), larger, [[block] for block in details]))
+    for larger, own in details.items():
+        sets.append((say("flat patterns: details"), larger, [[block] for block in own]))
     return [
         Page(
             title,
@@ -163,7 +173,7 @@ def _most_rows(size, listings: Sequence[Listing], area) -> tuple[int, float]:
     counts = [(sum(listing.widths), len(listing.rows), listing) for listing in listings]
     longest = max((rows for _, rows, _ in counts), default=1)
     most = min(longest, int((height - TITLE_ROOM) // ROW_HEIGHT) - 1)
-    best = (most, math.inf)
+    best = (math.inf, most, math.inf)
     for cap in np.unique(np.geomspace(min(LEAST_ROWS, most), most, 16).astype(int)).tolist():
         sizes = [
             (wide, TITLE_ROOM + ROW_HEIGHT * (min(listing.most(cap), rows - start) + 1))
@@ -171,9 +181,16 @@ def _most_rows(size, listings: Sequence[Listing], area) -> tuple[int, float]:
             for start in range(0, rows, listing.most(cap))
         ]
         high = shelf_height([size, *sizes], width)
-        if high < best[1] - 1.0:
-            best = (cap, high)
-    return best
+        # A plate of several pages fills them from the first on.
+        count = 1 if high <= height else _page_count([size, *sizes], area)
+        if (count, high) < (best[0], best[2] - 1.0):
+            best = (count, cap, high)
+    return best[1:]
+
+
+def _page_count(sizes: Sequence[tuple[float, float]], area) -> int:
+    blocks = [Block("", (), (), (), (0.0, 0.0, wide, high)) for wide, high in sizes]
+    return len(packed([blocks], area))
 
 
 def _listings(plate: DevelopedPlate, record: MemberRecord, style: SheetStyle) -> list[Listing]:

@@ -150,6 +150,7 @@ _PLATES = {
     "rolling direction along u": "轧制方向沿 u",
     "labels left out: {}, see the tables": "未标注 {} 个，见表",
     "labels left out: {}, see details and tables": "未标注 {} 个，见详图与表",
+    "points, stations and roll lines are named in the details": "点、测站线与卷板线见详图",
     "flat patterns: details": "板件展开详图",
     "detail {} to {}": "详图 {} 至 {}",
     "at": "位于",
@@ -292,9 +293,9 @@ _NOTES = {
     "the edge without grooves against square, +: outer face wider; from, to: s, of E lines from "
     "the first edge.": (
         "点：s 为轴线弧长；x, y, z 为模型坐标；u, v 为展开坐标；P 在外表面角线上；W 在划线面上、边"
-        "缘内侧。分格：平面为成形前；成形为成形后沿曲面；弦长为成形后 P 点间直线。边：坡口为相对直角"
-        "的角度与深度，正为该面切去；倾斜为未开坡口边面相对直角的角度，正为外表面较宽；自、至为 s，"
-        "E 线自第一边起。"
+        "缘内侧。分格：平面为成形前；成形为成形后沿曲面；弦长为成形后 P 点间直线。边：坡口为相对直"
+        "角的角度与深度，正为该面切去；倾斜为未开坡口边面相对直角的角度，正为外表面较宽；自、至"
+        "为 s，E 线自第一边起。"
     ),
     "Springback is left to the shop: radii and angles are of the finished plate.": (
         "回弹由工厂考虑：半径与角度为成品值。"
@@ -302,8 +303,8 @@ _NOTES = {
     "Sections are seen along +s, up as the section's z axis; cross: the axis, to which dimensions "
     "are given. Weld symbols: the arrow points at the outer face of the plate that is cut; welds "
     "without a depth go through the whole plate. t: thickness, mm.": (
-        "截面沿 +s 方向看，上方为截面 z 轴；十字为轴线，尺寸自轴线标注。焊缝符号：箭头指向开坡口板的"
-        "外表面；未注深度者为全熔透。t：板厚 mm。"
+        "截面沿 +s 方向看，上方为截面 z 轴；十字为轴线，尺寸自轴线标注。焊缝符号：箭头指向开坡口板"
+        "的外表面；未注深度者为全熔透。t：板厚 mm。"
     ),
 }
 _NODES = {

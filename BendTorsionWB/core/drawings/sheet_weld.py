@@ -168,9 +168,7 @@ def _cut_corner(cut: np.ndarray, beside: np.ndarray) -> np.ndarray:
     return cut[int(np.argmin(distance.min(axis=1)))]
 
 
-def weld_listing(
-    record: MemberRecord, letters: dict[tuple, str], style: SheetStyle
-) -> Listing:
+def weld_listing(record: MemberRecord, letters: dict[tuple, str], style: SheetStyle) -> Listing:
     """The list of welds: mark, plates, type, sizes, length, place, NDT, and the total length.
     Columns nothing stands in are left out."""
     say = style.say

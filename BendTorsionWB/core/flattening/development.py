@@ -192,14 +192,16 @@ def develop(rails: Piecewise, name: str = "plate", mode: str = "edges") -> Devel
     rate = rails.derivative.values
     ruling = values[..., 3:] - values[..., :3]
     width = lengths(ruling)
-    _guard(name, rails, width, "the strip has no width")
+    _guard(name, rails, width, "the strip has no width", "mm")
     unit = ruling / width[..., None]
     slip = (rate[..., :3] * unit).sum(axis=2)
     first = rate[..., :3] - slip[..., None] * unit
     second = rate[..., 3:] - (rate[..., 3:] * unit).sum(axis=2)[..., None] * unit
-    _guard(name, rails, (first * second).sum(axis=2), "the plate folds over itself")
+    one_way = (first * second).sum(axis=2) / lengths(first)
+    _guard(name, rails, one_way, "the plate folds over itself: its second edge runs back", "mm/mm")
     p, m = {"edges": _keep_edges, "energy": _least_strain}[mode](first, second)
-    _guard(name, rails, np.minimum(p, p - m), "the pattern folds over itself")
+    edge = np.minimum(p, p - m)
+    _guard(name, rails, edge, "the pattern folds over itself: an edge runs back", "mm/mm")
     theta = Piecewise(rails.breaks, (m / width)[..., None]).antiderivative()
     angle = theta.values[..., 0]
     velocity = np.stack(
@@ -383,7 +385,8 @@ def shape_from(
     return SurfaceShape(normal, gauss, sharpest, 2.0 * mean, mixed / area)
 
 
-def _guard(name: str, rails: Piecewise, positive: np.ndarray, problem: str) -> None:
+def _guard(name: str, rails: Piecewise, positive: np.ndarray, problem: str, unit: str) -> None:
+    """Raises BendTorsionError where what must be positive, mm or mm per mm of axis, is not."""
     if (positive <= 0).any():
         at = np.unravel_index(int(np.argmin(positive)), positive.shape)
         raise BendTorsionError(
@@ -395,5 +398,6 @@ def _guard(name: str, rails: Piecewise, positive: np.ndarray, problem: str) -> N
                 position=f"s = {rails.nodes[at]:.0f} mm",
                 value=float(positive[at]),
                 limit=0.0,
+                unit=unit,
             )
         )

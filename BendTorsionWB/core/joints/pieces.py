@@ -169,6 +169,21 @@ def _placed(member: Member, given: Sequence[PieceInput], findings: list[Finding]
                 )
             )
         end = length if following is None else end
+        if start < length < end - tolerances.SAME_STATION:
+            message, mend = "the piece ends beyond the member", "write a place on the member"
+            findings.append(
+                _error(
+                    member,
+                    row,
+                    "piece-beyond-member",
+                    message,
+                    mend,
+                    value=end,
+                    limit=length,
+                    unit="mm",
+                )
+            )
+            return pieces
         if not start < end <= length + tolerances.SAME_STATION:
             findings.append(
                 _error(

@@ -185,7 +185,7 @@ def _ended(member: Member, surface: EndSurface, cut: EndCut, which: int) -> Memb
             member,
             which,
             "end-cut-misses",
-            "the cut misses the member",
+            "the cut misses the member: it lies this far beyond it",
             "move it onto the member, or extend the axis",
             value=float(side.min(axis=0).max()),
             limit=0.0,

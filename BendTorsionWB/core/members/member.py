@@ -188,11 +188,13 @@ class Member:
                         "bend-sharper-than-section",
                         self.name,
                         f"the section folds over itself at corner "
-                        f"{self.law.sections[0].corner_names[j]} of {cell.label}",
+                        f"{self.law.sections[0].corner_names[j]} of {cell.label}: its length there "
+                        "per length of axis",
                         "use a smaller section, another alignment or a smoother axis",
                         position=f"s = {s[i]:.0f} mm",
                         value=float(fibres[i, j]),
                         limit=SHARPEST_BEND,
+                        unit="mm/mm",
                     )
                 )
 

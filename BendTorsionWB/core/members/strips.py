@@ -18,6 +18,7 @@ import numpy as np
 
 from .. import tolerances
 from ..axes.frames import FrameStations
+from ..finding import BendTorsionError, error
 from ..geometry.piecewise import Piecewise, span_nodes
 from ..memo import Kept, content_hash, made_from
 from ..sections.strip_lines import Sites, crossing, edge_points, left_of, limits, own_lines
@@ -107,6 +108,27 @@ def _content(member: Member, mitres: _Mitres, span, low, high, felt, ends) -> st
     )
 
 
+def _check_order(member: Member, edges: np.ndarray) -> None:
+    """Raises BendTorsionError where the mitre of a fold lies beyond that of the next one, or beyond
+    the plate's end: the plate is too thick for so short a piece between them."""
+    crossed = np.flatnonzero(np.diff(edges) <= 0.0)
+    if len(crossed):
+        at = float(edges[crossed[0]])
+        raise BendTorsionError(
+            error(
+                "mitres-cross",
+                member.name,
+                "mitres cross: the plates are too thick for a piece so short",
+                "lengthen the transition by its slope, move its cut or the joint, or take thinner"
+                " plates",
+                position=f"at {at:.0f} mm",
+                value=float(-np.diff(edges)[crossed[0]]),
+                limit=0.0,
+                unit="mm",
+            )
+        )
+
+
 class _Block:
     """The nodes of one surface of one strip: s (n,), its cell, and per edge the place on the axis
     it is taken at and its relief (n, 2)."""
@@ -118,6 +140,7 @@ class _Block:
         before, after = mitres.relief_before[mine], mitres.relief_after[mine]
         middles = 0.5 * (places[:, 0] + places[:, 1])
         edges = np.concatenate([[start], middles, [end]])
+        _check_order(member, edges)
         count = len(middles)
         self.shifted = bool(count) and bool((places != middles[:, None]).any())
         # Reliefs fade through the beginnings and ends of chamfers, which have none.

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..finding import BendTorsionError, Finding, error
+from ..geometry.vectors import lengths
 from ..lofting import FlatMark
 from .openings import face_spot
 from .plate_places import PlateMark, nearest_places, places_along, surface_point
@@ -91,6 +92,7 @@ def set_marks(
         if row.kind == "text":
             on_plate = on_plate[:1]
         if not on_plate.all():
+            outer = plate.rails.outer(np.array([at.s]))[0]
             findings.append(
                 error(
                     "mark-outside",
@@ -99,6 +101,7 @@ def set_marks(
                     "move it, or make it shorter",
                     position=source,
                     value=float(row.offset),
+                    limit=float(0.5 * lengths(outer[3:] - outer[:3])),
                     unit="mm",
                 )
             )

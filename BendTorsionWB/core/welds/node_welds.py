@@ -10,13 +10,12 @@ that its groove is open without being cut back, it is cut square behind the land
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from ..lofting import DevelopedPlate, EndPart, WeldedSide
-from ..nodes.node_record import NodeRecord
 from .preps import Prep
 from .weld_record import Weld
 
@@ -39,12 +38,12 @@ def groove(prep: Prep, part: EndPart) -> Prep:
 
 
 def branch_welds(
-    plates: Sequence[DevelopedPlate], nodes: Sequence[NodeRecord], rows, defaults, used: set
+    plates: Sequence[DevelopedPlate], stubs: Collection[str], rows, defaults, used: set
 ) -> Iterator[Weld]:
     """The welds of plates that end on other members at nodes, plate by plate; of a stub in the
     shop, of a direct branch in the field. The second plate is told by member and face. rows:
-    `welds.EdgeTreatment`s, those that hold go to `used`; defaults: `welds.WeldDefaults`."""
-    stubs = {(node.node, node.other) for node in nodes if node.type == "stub"}
+    `welds.EdgeTreatment`s, those that hold go to `used`; defaults: `welds.WeldDefaults`. stubs:
+    nodes with a stub of the member."""
     for plate in plates:
         for parts in plate.ends:
             for part in parts:
@@ -56,7 +55,7 @@ def branch_welds(
                 row = next((r for r in reversed(rows) if r.where in (part.node, "nodes")), None)
                 if row is not None:
                     used.add(row)
-                place = "shop" if (part.node, plate.member) in stubs else "field"
+                place = "shop" if part.node in stubs else "field"
                 place = row.place if row and row.place else place
                 ndt = defaults.ndt_field if place == "field" else defaults.ndt_shop
                 prep = groove(defaults.branch, part)

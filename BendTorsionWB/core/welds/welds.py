@@ -10,14 +10,13 @@ pack's defaults do.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ..finding import BendTorsionError, Finding, warning
 from ..lofting import DevelopedPlate, PlateEdge
-from ..nodes.node_record import NodeRecord
 from ..sections.section import Strip
 from .node_welds import branch_welds, diaphragm_welds
 from .preps import Prep, prep_findings
@@ -77,16 +76,19 @@ def welds_of(
     strips: Sequence[Strip],
     rows: Sequence[EdgeTreatment],
     defaults: WeldDefaults,
-    nodes: Sequence[NodeRecord] = (),
+    stubs: Collection[str] = (),
 ) -> tuple[tuple[Weld, ...], tuple[Finding, ...]]:
     """The welds of a member's plates, seams first then joints, those at nodes it ends on others at
     and of diaphragms nodes put inside it, each along +s; findings name rows that apply to nothing.
-    Raises BendTorsionError for preparations that do not fit their plates."""
+
+    stubs: nodes with a stub of the member. Raises BendTorsionError for preparations that do not
+    fit their plates.
+    """
     order = {strip.face: k for k, strip in enumerate(strips)}
     walls = [plate for plate in plates if plate.face in order]
     used: set[EdgeTreatment] = set()
     welds = [*_seams(walls, strips, rows, defaults, used), *_joints(walls, rows, defaults, used)]
-    welds += branch_welds(walls, nodes, rows, defaults, used)
+    welds += branch_welds(walls, stubs, rows, defaults, used)
     welds += diaphragm_welds([p for p in plates if p.face == "diaphragm"], walls, defaults)
     numbers = {id(row.prep): k for k, row in enumerate(rows, start=1) if row.prep}
     faults = {}

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whether files named by a schedule may lie outside its folder: not unless whoever runs it says so.
+
+A schedule from elsewhere must not make this program open other files of the machine.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from pathlib import Path
+
+from BendTorsionWB.core.finding import BendTorsionError, error
+
+_allowed = ContextVar("files outside the schedule's folder are allowed", default=False)
+
+
+@contextmanager
+def outside_allowed(allowed: bool = True) -> Iterator[None]:
+    """Within the block, files outside a schedule's folder are read as well."""
+    token = _allowed.set(allowed)
+    try:
+        yield
+    finally:
+        _allowed.reset(token)
+
+
+def file_of(folder: str | os.PathLike, name: str, object: str) -> Path:
+    """The path of a file named by a schedule; raises BendTorsionError for one outside its folder,
+    also by a link, and for a device."""
+    path = Path(folder) / name
+    try:
+        inside = Path(folder or ".").resolve() in path.resolve().parents
+    except (OSError, ValueError, RuntimeError):
+        inside = False
+    if not inside and not _allowed.get():
+        raise BendTorsionError(
+            error(
+                "file-outside",
+                object,
+                f"{name}: lies outside the schedule's folder",
+                "put it beside the schedule, or add --outside-files if you trust the schedule",
+                value=name,
+            )
+        )
+    if path.exists() and not path.is_file():
+        mend = "name a STEP, IGES, BREP, DXF or Rhino file"
+        raise BendTorsionError(error("file-kind", object, f"{name}: is no file", mend, value=name))
+    return path

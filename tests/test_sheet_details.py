@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Weld maps, details of crowded patterns, warnings in Chinese: nothing is left out."""
+
+import ast
+import re
+from collections import Counter
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from sheet_checks import faults
+from test_sheet import strip_member, strip_plate
+from test_sheet_style import RECORD, words_of
+
+from BendTorsionWB.core.drawings import sheet_pattern, sheet_plate
+from BendTorsionWB.core.drawings.sheet_detail import detail_blocks
+from BendTorsionWB.core.drawings.sheet_findings import FINDINGS_CHINESE, finding_text
+from BendTorsionWB.core.drawings.sheet_layout import member_sheets
+from BendTorsionWB.core.drawings.sheet_style import SheetStyle
+from BendTorsionWB.core.drawings.sheet_terms import CHINESE
+from BendTorsionWB.core.drawings.sheet_weld import kind_letters, weld_kind
+from BendTorsionWB.core.drawings.sheet_weld_map import LABEL_SPACING, weld_map_blocks
+from BendTorsionWB.core.finding import warning
+from BendTorsionWB.core.welds.preps import prep_of
+
+ROOT = Path(__file__).resolve().parent.parent
+STYLE = SheetStyle()
+
+
+def named(blocks):
+    return Counter(text.text.split("  ")[0] for block in blocks for text in block.texts)
+
+
+@pytest.mark.parametrize("size", [(380.0, 230.0), (170.0, 230.0), (380.0, 60.0)])
+def test_the_weld_map_names_every_weld_once_with_the_letter_of_its_symbol(size):
+    letters = kind_letters(RECORD.welds)
+    blocks = weld_map_blocks(RECORD, letters, size, STYLE)
+    texts = named(blocks)
+    for weld in RECORD.welds:
+        assert texts[f"{weld.mark.split('-')[-1]} {letters[weld_kind(weld)]}"] == 1
+    for block in blocks:
+        assert block.size[0] <= size[0] and (len(blocks) == 1 or block.size[1] <= size[1])
+    flags = [line for block in blocks for line in block.lines if len(line.points) == 4]
+    assert len(flags) == sum(weld.place == "field" for weld in RECORD.welds) > 0
+
+
+def test_a_map_with_more_welds_than_it_is_wide_goes_on_in_strips():
+    seam = RECORD.welds[0]
+    count, length = 200, 5500.0
+    cuts = np.linspace(0.0, length, count + 1)
+    welds = tuple(
+        replace(seam, mark=f"M1-TL-T{k}/L{k}", start=cuts[k], end=cuts[k + 1]) for k in range(count)
+    )
+    record = replace(RECORD, welds=welds)
+    blocks = weld_map_blocks(record, kind_letters(welds), (300.0, 230.0), STYLE)
+    assert len(blocks) >= count * LABEL_SPACING / 300.0
+    texts = named(blocks)
+    assert all(texts[f"T{k}/L{k} A"] == 1 for k in range(count))
+
+
+def test_the_list_of_welds_has_depths_and_bars_and_the_total_length():
+    bar = prep_of("bar: v angle=45 gap=6 backing=30x6")
+    welds = (replace(RECORD.welds[0], prep=bar), *RECORD.welds[1:])
+    sheets = member_sheets(replace(RECORD, welds=welds))
+    rows = {
+        row[0]: dict(zip(table.header, row, strict=True))
+        for sheet in sheets
+        for table in sheet.tables
+        if "cut / on" in table.header
+        for row in table.rows
+    }
+    assert rows[welds[0].mark]["backing"] == "30x6" and rows[welds[0].mark]["depth"] == "full"
+    assert rows[welds[1].mark]["depth"] == "14.0"
+    assert float(rows["total"]["length"]) == pytest.approx(sum(w.length for w in welds), abs=0.05)
+    words = words_of(sheets)
+    assert "Backing bars (not in the mass of the member)" in words and "M1-K1" in words
+
+
+def test_details_name_every_point_a_long_plate_has_no_room_for():
+    plate = strip_plate("M1-T1", "top", 24000.0, 800.0, radius=60000.0)
+    sheets = member_sheets(replace(strip_member(), plates=(plate,)))
+    whole = [sheet for sheet in sheets if sheet.title == "M1 flat patterns"]
+    parts = [sheet for sheet in sheets if sheet.title == "M1 flat patterns: details"]
+    assert any("in the details" in word or "see details" in word for word in words_of(whole))
+    drawn = set(words_of(parts))
+    labels = {point.label for point in plate.points if point.kind == "arris"}
+    assert labels | {line.label for line in plate.lines} <= drawn
+    assert not any("left out" in word for word in drawn)
+    assert [fault for sheet in sheets for fault in faults(sheet)] == []
+    # Each stretch of the outline is drawn where it lies, and none twice but at the cuts.
+    length = sum(
+        np.hypot(*np.diff(line.points, axis=0).T).sum()
+        for sheet in parts
+        for view in sheet.views
+        for line in view.polylines
+        if line.style == "wide"
+    )
+    outline = sum(np.hypot(*np.diff(run, axis=0).T).sum() for run in plate.outline)
+    assert length == pytest.approx(outline, rel=1e-3)
+
+
+def test_a_plate_with_room_for_its_labels_has_no_details():
+    plate = strip_plate()
+    assert sheet_pattern.pattern_block(plate, 15).left_out == 0
+    assert detail_blocks([], 15, (380.0, 230.0), STYLE) == {}
+    titles = {sheet.title for sheet in member_sheets(strip_member(lengths=(4000.0, 5200.0)))}
+    assert "M1 flat patterns: details" not in titles
+
+
+def warning_codes():
+    for part in ("core", "shapes"):
+        for path in sorted((ROOT / "BendTorsionWB" / part).rglob("*.py")):
+            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+                if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "warning":
+                    if node.args and isinstance(node.args[0], ast.Constant):
+                        yield node.args[0].value
+
+
+def test_every_warning_of_a_member_has_its_chinese_sentence():
+    codes = set(warning_codes())
+    assert len(codes) > 20
+    assert codes - set(FINDINGS_CHINESE) == set()
+
+
+def test_a_warning_in_chinese_keeps_its_object_place_and_figures():
+    found = warning(
+        "joints-not-staggered",
+        "M1",
+        "joints of faces bottom and left are too close",
+        "move one of them",
+        position="s = 7600 mm",
+        value=50.2,
+        limit=200.0,
+        unit="mm",
+    )
+    text = finding_text(found, SheetStyle(language="zh"))
+    assert all(word in text for word in ("M1", "s = 7600 mm", "下", "左", "50.2", "200"))
+    assert not re.search("[a-z]{3,}", text)
+    assert finding_text(found, STYLE) == found.line().removeprefix("warning: ")
+
+
+def test_words_chosen_by_a_value_have_their_chinese_terms():
+    words = {
+        *sheet_pattern.FORMING_RULES.values(),
+        *sheet_plate.SURFACES.values(),
+        *sheet_plate.CONTOURS.values(),
+    }
+    assert words - set(CHINESE) == set()
