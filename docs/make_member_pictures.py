@@ -22,6 +22,8 @@ from PySide2 import QtCore, QtGui  # noqa: E402
 
 from BendTorsionWB.core import detailing  # noqa: E402
 from BendTorsionWB.core.axes.axis_input import AxisInput  # noqa: E402
+from BendTorsionWB.core.geometry.surface import analytic_surface  # noqa: E402
+from BendTorsionWB.core.members.segment import Segment  # noqa: E402
 from BendTorsionWB.core.sections.section import box  # noqa: E402
 from BendTorsionWB.core.sections.section_strips import StripRow, strip_list  # noqa: E402
 from BendTorsionWB.core.sections.section_types import (  # noqa: E402
@@ -31,8 +33,6 @@ from BendTorsionWB.core.sections.section_types import (  # noqa: E402
     t_section,
     trapezoid,
 )
-from BendTorsionWB.core.members.segment import Segment  # noqa: E402
-from BendTorsionWB.core.geometry.surface import analytic_surface  # noqa: E402
 
 IMAGES = ROOT / "docs" / "images"
 CELL = (300, 210)

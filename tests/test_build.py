@@ -200,7 +200,8 @@ def test_the_report_has_the_keys_promised_and_names_the_files_that_are_there(bui
     for finding in content["findings"]:
         assert set(finding) == FINDING_KEYS and finding["severity"] != "error"
     whole = {"model.FCStd", "model.step", "model.ifc", "results.xlsx", "report.json"}
-    whole |= {"report.html", "nesting.csv", "timing.json", ".bendtorsion.json"}
+    whole |= {"report.html", "nesting.csv", "timing.json", ".bendtorsion.json", "README.txt"}
+    whole |= {".bendtorsion-parts.json", ".bendtorsion-outlines.npz"}
     whole |= {"plates/all/16mm S355.dxf", "plates/all/12mm S355.dxf"}
     whole |= {"sheets/general_arrangement.pdf", "sheets/set.pdf"}
     boards = {name for name in files(out) if name.startswith("templates/")}

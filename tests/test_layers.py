@@ -47,10 +47,12 @@ BELOW = {
     "document_repair": ("model_files",),
     "document_templates": ("make", "exchange"),
     "make_files": ("round_trip", "document_export", "document_templates"),
+    "arguments": (),
     "console": ("core",),
     "gui": ("make_files",),
     "support": ("round_trip", "document_export"),
     "__main__": (
+        "arguments",
         *("support", "round_trip", "document_export", "document_repair", "document_templates"),
         "console",
     ),

@@ -255,3 +255,10 @@ def test_random_members_are_valid_or_refused_by_name(first):
     for seed in range(first, first + 20):
         found = outcome(seed)
         assert not found.unexplained, (seed, found.text)
+
+
+@pytest.mark.parametrize(
+    ("seed", "kind"), [(22, "mitres-cross"), (55, "solid-refused"), (2293, "solid-refused")]
+)
+def test_members_that_were_not_explained_are_refused_by_name(seed, kind):
+    assert outcome(seed).kind == kind

@@ -182,8 +182,8 @@ def accepted(plate: Plate, sound: bool, volume: float) -> list[Finding]:
     """Errors of a solid that is not sound (`kept_solids`), or whose skin's volume is not the exact
     one of the plate, or of what it is cut from."""
     wanted = strip_volume(plate.uncut) if plate.is_cut else plate.volume
-    miss = abs(volume - wanted) / wanted
-    if sound and miss <= tolerances.VOLUME_RELATIVE:
+    # A plate turned inside out has a volume below nothing, which its skin shares.
+    if sound and abs(volume - wanted) <= tolerances.VOLUME_RELATIVE * wanted:
         return []
     return [
         error(

@@ -6,6 +6,7 @@ import os
 import traceback
 from pathlib import Path
 
+import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
@@ -92,24 +93,20 @@ def picture(name):
 def cut_labels(widget):
     """Texts of visible labels, buttons and boxes that have less room than they need."""
     cut = []
-    for item in widget.findChildren(QtGui.QWidget):
-        text = getattr(item, "text", lambda: "")() if hasattr(item, "text") else ""
-        if not isinstance(item, (QtGui.QLabel, QtGui.QAbstractButton)) or not item.isVisible():
-            continue
-        wraps = isinstance(item, QtGui.QLabel) and item.wordWrap()
-        if text and not wraps and item.width() < item.minimumSizeHint().width():
-            cut.append(text)
+    for kind in (QtGui.QLabel, QtGui.QAbstractButton):
+        for item in widget.findChildren(kind):
+            wraps = kind is QtGui.QLabel and item.wordWrap()
+            short = item.width() < item.minimumSizeHint().width()
+            if item.isVisible() and item.text() and not wraps and short:
+                cut.append(item.text())
     return cut
 
 
 def words(widget):
     """Texts of visible labels, check boxes and group boxes."""
-    found = []
-    for item in widget.findChildren(QtGui.QWidget):
-        if item.isVisible() and isinstance(item, (QtGui.QLabel, QtGui.QCheckBox)):
-            found.append(item.text())
-        if item.isVisible() and isinstance(item, QtGui.QGroupBox):
-            found.append(item.title())
+    kinds = (QtGui.QLabel, QtGui.QCheckBox)
+    found = [w.text() for kind in kinds for w in widget.findChildren(kind) if w.isVisible()]
+    found += [box.title() for box in widget.findChildren(QtGui.QGroupBox) if box.isVisible()]
     return [text for text in found if text]
 
 
@@ -120,14 +117,18 @@ def document_tree():
 
 
 def tree_items():
-    """The texts of the tree with their depth, as they stand."""
+    """The texts of the tree with their depth, as they stand; documents have depth 1, though from
+    FreeCAD 1.0 on there is nothing above them."""
     tree = document_tree()
     found = []
+    labels = {document.Label for document in FreeCAD.listDocuments().values()}
+    if tree.topLevelItemCount() and tree.topLevelItem(0).text(0) in labels:
+        found.append((-1, ""))
 
     def walk(item, depth):
         found.append((depth, item.text(0)))
         for k in range(item.childCount()):
             walk(item.child(k), depth + 1)
 
-    walk(tree.invisibleRootItem(), -1)
+    walk(tree.invisibleRootItem(), len(found) - 1)
     return found[1:]
