@@ -13,16 +13,16 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 
 from BendTorsionWB.core import detailing  # noqa: E402
-from BendTorsionWB.core.axis_input import AxisInput  # noqa: E402
-from BendTorsionWB.core.bed_face import BedInput  # noqa: E402
+from BendTorsionWB.core.axes.axis_input import AxisInput  # noqa: E402
+from BendTorsionWB.core.beds.bed_face import BedInput  # noqa: E402
 from BendTorsionWB.core.detailing import MemberInput, MemberJob, PlatesInput  # noqa: E402
-from BendTorsionWB.core.plates import Joints  # noqa: E402
-from BendTorsionWB.core.section import box  # noqa: E402
-from BendTorsionWB.core.sheet_layout import member_sheets  # noqa: E402
-from BendTorsionWB.core.sheet_style import SheetStyle  # noqa: E402
-from BendTorsionWB.core.strain_map import strain_map  # noqa: E402
-from BendTorsionWB.core.surface import analytic_surface  # noqa: E402
-from BendTorsionWB.core.zones import Segment  # noqa: E402
+from BendTorsionWB.core.drawings.sheet_layout import member_sheets  # noqa: E402
+from BendTorsionWB.core.drawings.sheet_style import SheetStyle  # noqa: E402
+from BendTorsionWB.core.geometry.surface import analytic_surface  # noqa: E402
+from BendTorsionWB.core.members.zones import Segment  # noqa: E402
+from BendTorsionWB.core.patterns.strain_map import strain_map  # noqa: E402
+from BendTorsionWB.core.plates.plates import Joints  # noqa: E402
+from BendTorsionWB.core.sections.section import box  # noqa: E402
 from BendTorsionWB.sheets.strain_picture import write_strain_picture  # noqa: E402
 from BendTorsionWB.sheets.svg import write_svg  # noqa: E402
 

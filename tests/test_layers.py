@@ -178,6 +178,34 @@ def test_rooms_of_core_stand_in_order(path):
     assert not found, "\n".join(found)
 
 
+OUTSIDE = sorted(
+    path
+    for folder in ("benchmarks", "docs", "resources", "scripts")
+    for path in (ROOT / folder).rglob("*.py")
+)
+
+
+@pytest.mark.parametrize("path", OUTSIDE, ids=lambda path: f"{path.parent.name}-{path.stem}")
+def test_scripts_import_what_is_there(path):
+    """Scripts nobody runs every day keep up with modules that move."""
+    own = {module_name(module) for module in MODULES}
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    named = [node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) and node.module]
+    gone = [
+        f"{node.module}.{alias.name}"
+        for node in named
+        if node.module.split(".")[0] == PACKAGE
+        for alias in node.names
+        if node.module not in own
+        or (
+            (ROOT / Path(*node.module.split("."))).is_dir()
+            and f"{node.module}.{alias.name}" not in own
+            and alias.name != "__version__"
+        )
+    ]
+    assert not gone
+
+
 def test_the_rules_catch_what_they_forbid():
     """Each forbidden direction is seen as one, and each allowed one is not."""
     assert faults("core", "BendTorsionWB.shapes.brep", False)
