@@ -140,3 +140,16 @@ def test_depth_of_grooves():
     assert BUTT.depth(20.0) == 18.0 and BUTT.cut_angle == pytest.approx(math.radians(30))
     assert Prep("X", "double-v", 1.0, 2.0).depth(20.0) == 9.0
     assert Prep("F", "fillet").depth(20.0) == 0.0
+
+
+def test_pieces_are_welded_across_their_field_gap(delivered):
+    """Each face of three pieces has its two field joints, with the groove cut, gap or none."""
+    welds = [w for w in delivered.record.welds if w.kind == "joint" and w.place == "field"]
+    faces = sorted(w.name.split("/")[0][0] for w in welds)
+    assert faces == sorted(2 * "TBLR")
+    plates = {plate.mark: plate for plate in delivered.record.plates}
+    for weld in welds:
+        one, two = (plates[mark] for mark in weld.plates)
+        assert two.piece == one.piece + 1
+        assert two.s_start - one.s_end == pytest.approx(6.0 if one.piece == 1 else 4.0)
+        assert any(b.weld == weld.mark for b in (*one.bevels, *two.bevels))

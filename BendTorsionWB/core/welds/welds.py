@@ -16,6 +16,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..finding import BendTorsionError, Finding, warning
+from ..joints.pieces import LONGEST_GAP
 from ..lofting import DevelopedPlate, PlateEdge
 from ..sections.section import Strip
 from .node_welds import branch_welds, diaphragm_welds
@@ -168,7 +169,7 @@ def _joints(walls, rows, defaults: WeldDefaults, used) -> Iterator[Weld]:
             beside = [tuple(edge.edge for edge in plate.edges) for plate in (one, two)]
             if one.face != two.face or beside[0] != beside[1]:
                 continue
-            if abs(two.s_start - one.s_end) >= SAME_PLACE or not one.lines or not two.lines:
+            if not _meet(one, two) or not one.lines or not two.lines:
                 continue
             short = [mark.split("-")[-1] for mark in (one.mark, two.mark)]
             name = "/".join(short)
@@ -194,6 +195,15 @@ def _joints(walls, rows, defaults: WeldDefaults, used) -> Iterator[Weld]:
                 if row and row.ndt
                 else (defaults.ndt_field if field else defaults.ndt_shop),
             )
+
+
+def _meet(one: DevelopedPlate, two: DevelopedPlate) -> bool:
+    """Whether `two` begins where `one` ends, or across the field gap between their pieces."""
+    apart = two.s_start - one.s_end
+    if one.piece == two.piece:
+        return abs(apart) < SAME_PLACE
+    across = apart <= LONGEST_GAP and not one.ends[1] and not two.ends[0]
+    return -SAME_PLACE < apart and (apart < SAME_PLACE or across)
 
 
 def _stretches(
