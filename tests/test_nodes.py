@@ -253,3 +253,26 @@ def test_an_open_section_cannot_run_through():
     member = along_x(section=i_section("I", 600, 300, 12, 20))
     result = found(member, at_angle(90))
     assert codes(result) == {("node-open-section", "X"), ("node-open-section", "Y")}
+
+
+def test_rows_in_a_circle_leave_nothing_that_runs_through():
+    """X over Y, Y over Z, Z over X: each ends on a member that is itself cut there."""
+    rows = (NodeInput("X", "Y"), NodeInput("Y", "Z"), NodeInput("Z", "X"))
+    result = found(along_x(), at_angle(60, "Y"), at_angle(120, "Z"), rows=rows)
+    assert {name for code, name in codes(result) if code == "node-three-through"} == set("XYZ")
+    assert not result.nodes
+
+
+def test_a_stub_reaches_outside_the_member_it_stands_on():
+    """A field joint inside the through member is no node; the length it names is one."""
+
+    def made(length):
+        row = NodeInput("X", "Y", type="stub", stub_length=length)
+        return found(along_x(), at_angle(90), rows=(row,))
+
+    refused = made(150.0)
+    (finding,) = refused.findings
+    assert (finding.code, finding.object, finding.value) == ("node-stub-short", "Y", 150.0)
+    assert not refused.nodes
+    assert made(finding.limit).nodes
+    assert not made(finding.limit - 10.0).nodes

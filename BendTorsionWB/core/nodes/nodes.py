@@ -19,6 +19,7 @@ from .node_flush import flange_steps, flush_findings
 from .node_flushing import blended
 from .node_input import NodeInput, NodeRules
 from .node_meetings import Meeting, meetings_of, places_of, resolved, unfit
+from .node_reach import stub_findings, through_findings
 
 DEFAULT_RULES = NodeRules()
 
@@ -39,6 +40,10 @@ class Node:
     def members(self) -> tuple[str, ...]:
         """The member that runs through, then the branches."""
         return self.through, *(branch.member for branch in self.branches)
+
+
+NO_NODE = ("node-three-through", "node-stub-short")
+"""Findings of a branch that leave it no node."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,7 +118,10 @@ def find_nodes(
         for index, row in enumerate(rows)
         if index not in used and not _in_error(row, findings)
     ]
-    failed = {(f.object, f.position) for f in findings if f.code == "node-three-through"}
+    findings += through_findings(branches)
+    for through, branch in branches:
+        findings += stub_findings(through, branch)
+    failed = {(f.object, f.position) for f in findings if f.code in NO_NODE}
     branches = [
         (through, branch)
         for through, branch in branches
