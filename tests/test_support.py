@@ -53,7 +53,7 @@ def test_nothing_in_it_names_a_place_or_a_person(bundle):
         (r"C:\Users\Ann\roof.step", "roof.step"),
         (r"\\server\share\roof.step,1", "roof.step,1"),
         ("file:///home/ann/roof.step", "roof.step"),
-        ("~/work/roof.step", "roof.step"),
+        ("~/steel/roof.step", "roof.step"),
         ("4 m/s, 3/4 of M1/T, 12.5 mm", "4 m/s, 3/4 of M1/T, 12.5 mm"),
         ("shapes/roof.step", "shapes/roof.step"),
     ],

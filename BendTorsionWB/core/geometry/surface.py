@@ -84,8 +84,8 @@ class Plane(Surface):
 
 
 @dataclass(frozen=True)
-class Sphere(Surface):
-    """A sphere of radius r about `origin`."""
+class _Round(Surface):
+    """Of radius r about `origin`: offset inwards by less than r."""
 
     r: float
     origin: tuple[float, float, float] = (0.0, 0.0, 0.0)
@@ -93,6 +93,11 @@ class Sphere(Surface):
     @property
     def offset_range(self) -> tuple[float, float]:
         return -self.r, math.inf
+
+
+@dataclass(frozen=True)
+class Sphere(_Round):
+    """A sphere of radius r about `origin`."""
 
     def closest(self, points: np.ndarray) -> Foot:
         local = _local(points, self.origin)
@@ -102,15 +107,8 @@ class Sphere(Surface):
 
 
 @dataclass(frozen=True)
-class Cylinder(Surface):
+class Cylinder(_Round):
     """An endless cylinder of radius r about the vertical through `origin`."""
-
-    r: float
-    origin: tuple[float, float, float] = (0.0, 0.0, 0.0)
-
-    @property
-    def offset_range(self) -> tuple[float, float]:
-        return -self.r, math.inf
 
     def closest(self, points: np.ndarray) -> Foot:
         local = _local(points, self.origin)

@@ -33,6 +33,23 @@ CORNER_JOINTS = ("mitre", "flanges", "webs", "ring")
 _ACROSS, _DOWN = ("left", "right"), ("top", "bottom")
 
 
+def _thicknesses(
+    name: str,
+    h: float,
+    t_top: float,
+    t_bottom: float | None,
+    t_web: float | None,
+    **breadths: float,
+) -> tuple[float, float]:
+    """Thicknesses of the bottom and the web, that of the top where none is given; breadths by name.
+    Raises BendTorsionError for sizes that make no section."""
+    t_bottom = t_top if t_bottom is None else t_bottom
+    t_web = t_top if t_web is None else t_web
+    refuse(size_findings(name, h=h, **breadths, t_top=t_top, t_bottom=t_bottom, t_web=t_web))
+    refuse(thickness_findings(name, h, min(breadths.values()), t_top, t_bottom, t_web))
+    return t_bottom, t_web
+
+
 def i_section(
     name: str,
     h: float,
@@ -48,13 +65,7 @@ def i_section(
     """An I or H: flanges b (the bottom one b_bottom) wide, the web in their middle between them,
     gap1 at the top and gap2 at the bottom. Raises BendTorsionError for sizes that make none."""
     b_bottom = b if b_bottom is None else b_bottom
-    t_bottom, t_web = t_bottom or t_top, t_web or t_top
-    refuse(
-        size_findings(
-            name, h=h, b=b, b_bottom=b_bottom, t_top=t_top, t_bottom=t_bottom, t_web=t_web
-        )
-    )
-    refuse(thickness_findings(name, h, min(b, b_bottom), t_top, t_bottom, t_web))
+    t_bottom, t_web = _thicknesses(name, h, t_top, t_bottom, t_web, b=b, b_bottom=b_bottom)
     corners = (
         (b / 2, h / 2),
         (-b / 2, h / 2),
@@ -82,7 +93,7 @@ def t_section(
     material: Material = STEEL,
 ) -> Section:
     """A tee: a flange b wide at the top, the web under its middle, gap1 between them."""
-    t_web = t_web or t_top
+    t_web = t_top if t_web is None else t_web
     refuse(size_findings(name, h=h, b=b, t_top=t_top, t_web=t_web))
     refuse(thickness_findings(name, h, b, t_top, t_top, t_web))
     corners = ((b / 2, h / 2), (-b / 2, h / 2), (0.0, h / 2), (0.0, -h / 2))
@@ -107,9 +118,7 @@ def channel(
 ) -> Section:
     """A channel open to the right: flanges b wide, the web on the left between them, gap1 at the
     top and gap2 at the bottom."""
-    t_bottom, t_web = t_bottom or t_top, t_web or t_top
-    refuse(size_findings(name, h=h, b=b, t_top=t_top, t_bottom=t_bottom, t_web=t_web))
-    refuse(thickness_findings(name, h, b, t_top, t_bottom, t_web))
+    t_bottom, t_web = _thicknesses(name, h, t_top, t_bottom, t_web, b=b)
     corners = ((b / 2, h / 2), (-b / 2, h / 2), (-b / 2, -h / 2), (b / 2, -h / 2))
     strips = (
         Strip("top", "T", 0, 1, t_top, 1, _ACROSS),
@@ -138,13 +147,7 @@ def trapezoid(
     joint: which plates run to the corner, bevelled flush with the others' outer faces: `flanges`
     (gap1 top, gap2 bottom) or `webs` (gap1 left, gap2 right); or `mitre` (no gaps).
     """
-    t_bottom, t_web = t_bottom or t_top, t_web or t_top
-    refuse(
-        size_findings(
-            name, h=h, b=b, b_bottom=b_bottom, t_top=t_top, t_bottom=t_bottom, t_web=t_web
-        )
-    )
-    refuse(thickness_findings(name, h, min(b, b_bottom), t_top, t_bottom, t_web))
+    t_bottom, t_web = _thicknesses(name, h, t_top, t_bottom, t_web, b=b, b_bottom=b_bottom)
     corners = ((b / 2, h / 2), (-b / 2, h / 2), (-b_bottom / 2, -h / 2), (b_bottom / 2, -h / 2))
     if joint == "flanges":
         across = (Stop("left", 0.0, "outer"), Stop("right", 0.0, "outer"))
