@@ -154,7 +154,7 @@ def _report_of(options) -> int:
     findings = report.all_findings(records, given.findings)
     if options.report:
         write_figures(given, options.report)
-    print_findings(findings, options.quiet)
+    print_findings(findings, options.quiet, given.titles.told_length)
     if not options.quiet:
         for line in report.summary_lines(records, findings):
             print(line)
@@ -213,7 +213,7 @@ def _tell(result, options) -> int:
     from BendTorsionWB.exchange import report
 
     _progress.end()
-    print_findings(result.findings, options.quiet)
+    print_findings(result.findings, options.quiet, result.style.told_length)
     if not options.quiet:
         for change in result.changes:
             print(change.line())
@@ -237,7 +237,8 @@ def _check(options) -> int:
     findings += found.findings
     findings += clashes({name: item.geometry for name, item in detailed.items()}, found.met)
     failed = any(finding.severity == "error" for finding in findings)
-    for finding in dict.fromkeys(findings):
+    told = dict.fromkeys(project.at_rows(schedule, findings))
+    for finding in sorted(told, key=lambda own: own.severity != "error"):
         if not options.quiet or finding.severity == "error":
             print(finding.line())
     if not options.quiet:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from BendTorsionWB.core.finding import Finding
 
@@ -54,24 +54,28 @@ class Progress:
         self.width, self.what = 0, ""
 
 
-def print_findings(findings: Iterable[Finding], quiet: bool = False) -> None:
+def print_findings(
+    findings: Iterable[Finding],
+    quiet: bool = False,
+    length: Callable[[float], str] | None = None,
+) -> None:
     """Errors, the unit and size of each file read, then the first warnings, those about files, axes
-    and surfaces before the others."""
+    and surfaces before the others; length: as of `Finding.line`."""
     findings = list(findings)
     for finding in findings:
         if finding.severity == "error":
-            print(finding.line(), file=sys.stderr)
+            print(finding.line(length), file=sys.stderr)
     if quiet:
         return
     for finding in findings:
         if finding.code == "file-read":
-            print(finding.line(), file=sys.stderr)
+            print(finding.line(length), file=sys.stderr)
     warnings = sorted(
         (f for f in findings if f.severity == "warning"),
         key=lambda f: not f.code.startswith(("file", "axis", "surface")),
     )
     for finding in warnings[:SHOWN_WARNINGS]:
-        print(finding.line(), file=sys.stderr)
+        print(finding.line(length), file=sys.stderr)
     if len(warnings) > SHOWN_WARNINGS:
         more = len(warnings) - SHOWN_WARNINGS
         print(f"and {more} more warnings: see results.xlsx, sheet Checks", file=sys.stderr)

@@ -9,6 +9,7 @@ from dataclasses import astuple
 
 from BendTorsionWB.core.axes.axis_input import AxisInput
 from BendTorsionWB.core.detailing import MemberJob
+from BendTorsionWB.core.patterns.layer_names import named_layers
 from BendTorsionWB.exchange.schedule_end_cuts import EndCutCell
 from BendTorsionWB.exchange.schedule_jobs import PARTS, job_of
 from BendTorsionWB.exchange.schedule_rows import AxisRow, MemberRow, Schedule
@@ -58,6 +59,8 @@ def build_document(
         drawn = [obj for obj in document.Objects if getattr(obj, "BT_Type", "") == "SheetSet"]
         if drawn:
             make.make_arrangement(document, drawn)
+            if any(getattr(obj, "BT_Type", "") == "Node" for obj in document.Objects):
+                make.make_node_sheets(document, drawn)
     mark_from_schedule(document.Objects)
     return document
 
@@ -105,6 +108,12 @@ def _make_nodes(make, document, schedule: Schedule, jobs: dict[str, MemberJob], 
             )
 
 
+def _degrees(angle: float) -> float:
+    """rad as the degrees they were read from: the way there and back leaves a trace in the last
+    digits, and the row written back would be another."""
+    return round(math.degrees(angle), 12)
+
+
 @contextmanager
 def equal_labels():
     """Let a member and its axis bear one name; FreeCAD would number the second."""
@@ -143,7 +152,7 @@ def _make_surface(make, document, schedule: Schedule, name: str):
     if row.kind == "file":
         faces = _feature(document, f"{name} file", faces_of(schedule, row))
         return make.make_surface(document, name, face=(faces, ""), offset=row.offset, flip=row.flip)
-    sizes = {key: math.degrees(value) if key == "angle" else value for key, value in row.sizes}
+    sizes = {key: _degrees(value) if key == "angle" else value for key, value in row.sizes}
     return make.make_surface(
         document, name, row.kind, origin=row.centre, offset=row.offset, flip=row.flip, **sizes
     )
@@ -165,7 +174,7 @@ def _make_axis(make, document, row: AxisRow, given: AxisInput, surface):
         made_from = {"edge": (_feature(document, f"{row.name} file", shape), "")}
     else:
         made_from = {"points": given.points, "order": given.order}
-    angles = {item.s.value: math.degrees(item.angle) for item in row.frames if item.z is None}
+    angles = {item.s.value: _degrees(item.angle) for item in row.frames if item.z is None}
     directions = {item.s.value: item.z for item in row.frames if item.z is not None}
     table = {"twist": angles}
     if row.frame == "given":
@@ -253,7 +262,7 @@ def _make_member(
         segments,
         offset_y=row.offset_y,
         offset_z=row.offset_z,
-        roll=math.degrees(row.roll),
+        roll=_degrees(row.roll),
         transition_length=schedule.settings.transition_length,
         rank=row.rank or 0,
         thickness=job.member.thickness,
@@ -290,6 +299,7 @@ def _make_plates(
         lanes=lanes,
         station_spacing=settings.station_spacing,
         rule_pack=settings.rule_pack,
+        stock=settings.stock,
         **{
             name: [dict(part.cells) for part in schedule.parts_of(sheet, row.name)]
             for sheet, name in PARTS.items()
@@ -302,6 +312,7 @@ def _make_plates(
         flattened_surface=row.patterns.surface,
         marking_face=row.patterns.marking_face,
         contour=row.patterns.contour,
+        layers=named_layers(settings.layer_names),
         **vars(row.patterns.allowances),
     )
     bed = make.make_bed(document, plates, **vars(job.bed))

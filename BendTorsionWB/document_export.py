@@ -15,15 +15,19 @@ from BendTorsionWB.core import detailing
 from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
 from BendTorsionWB.core.lofting import DevelopedPlate, MemberRecord, failed_record
+from BendTorsionWB.core.nodes.node_jobs import all_records
+from BendTorsionWB.core.nodes.node_record import NodeRecord
 from BendTorsionWB.core.parallel import workers_for
 from BendTorsionWB.core.patterns.layer_names import layer_names
 from BendTorsionWB.core.patterns.numbering import numbered
 from BendTorsionWB.core.patterns.strain_map import StrainMap, strain_map
 from BendTorsionWB.core.stages import MemberGeometry
+from BendTorsionWB.core.welds.landed_marks import with_landed_marks
 from BendTorsionWB.document_settings import style_in
 from BendTorsionWB.document_update import open_document
 from BendTorsionWB.exchange import report, results_workbook
 from BendTorsionWB.exchange.folder_lock import locked
+from BendTorsionWB.exchange.nc1_text import text_findings
 from BendTorsionWB.exchange.output_folder import (
     OutputFolder,
     check_folder,
@@ -46,8 +50,8 @@ from BendTorsionWB.project import (
     read_project,
     silent,
     write_member_files,
-    write_reports,
 )
+from BendTorsionWB.report_files import write_reports
 from BendTorsionWB.sheet_files import write_sheet_set
 from BendTorsionWB.solid_files import write_ifc, write_step
 
@@ -55,13 +59,15 @@ from BendTorsionWB.solid_files import write_ifc, write_step
 @dataclass(frozen=True)
 class DocumentRecords:
     """The members of a document: their records by name, the hash of what each comes from, every
-    finding, what the title blocks say, and by member other names for layers of cut files."""
+    finding, what the title blocks say, and by member other names for layers of cut files; nodes of
+    a schedule, with meetings that are none, or None for those of the records."""
 
     records: dict[str, MemberRecord]
     keys: dict[str, str]
     findings: tuple[Finding, ...]
     titles: SheetStyle
     layers: dict[str, dict[str, str]] = field(default_factory=dict)
+    nodes: tuple[NodeRecord, ...] | None = None
 
 
 def records_of(document, only: Sequence[str] = ()) -> DocumentRecords:
@@ -97,7 +103,8 @@ def records_of(document, only: Sequence[str] = ()) -> DocumentRecords:
         own = report.of_member(name, findings)
         if has_error(own):
             records[name] = failed_record(name, own)
-    records = {record.member: record for record in numbered(tuple(records.values()))}
+    records = with_landed_marks(tuple(records.values()))
+    records = {record.member: record for record in numbered(records)}
     missing = [name for name in only if name not in records]
     if missing or not records:
         raise BendTorsionError(
@@ -110,7 +117,9 @@ def records_of(document, only: Sequence[str] = ()) -> DocumentRecords:
             )
             for name in missing or ["any"]
         )
-    return DocumentRecords(records, keys, findings, style_in(document), layers)
+    titles = style_in(document)
+    findings += text_findings(records.values(), titles.project)
+    return DocumentRecords(records, keys, findings, titles, layers)
 
 
 def _clashes(geometry: Mapping[str, MemberGeometry], nodes: Iterable) -> tuple[Finding, ...]:
@@ -142,14 +151,17 @@ def source_records(
     schedule, jobs, found = read_project(path, only)
     with workers_for(workers, len(jobs)) as executor:
         detailed, lost = detail_members(schedule, jobs, executor, progress)
-    records = {
-        name: detailed[name].record if name in detailed else failed_record(name, lost)
-        for name in jobs
-    }
-    records = {record.member: record for record in numbered(tuple(records.values()))}
-    findings = (*lost, *found.findings)
+    records = {}
+    for name in jobs:
+        own = report.of_member(name, (*lost, *found.findings))
+        healthy = name in detailed and not has_error(own)
+        records[name] = detailed[name].record if healthy else failed_record(name, own)
+    records = with_landed_marks(tuple(records.values()))
+    records = {record.member: record for record in numbered(records)}
     titles = schedule.settings.sheet_style
-    return DocumentRecords(records, dict.fromkeys(jobs, ""), findings, titles)
+    findings = (*lost, *found.findings, *text_findings(records.values(), titles.project))
+    nodes = all_records(found, (), {}, list(jobs))
+    return DocumentRecords(records, dict.fromkeys(jobs, ""), findings, titles, nodes=nodes)
 
 
 def write_figures(given: DocumentRecords, path: str | os.PathLike) -> None:
@@ -157,10 +169,18 @@ def write_figures(given: DocumentRecords, path: str | os.PathLike) -> None:
     Raises BendTorsionError."""
     records = tuple(given.records.values())
     if Path(path).suffix.lower() == ".json":
-        report.write_report(records, given.findings, __version__, path)
+        report.write_report(records, given.findings, __version__, path, given.nodes)
     else:
         titles = given.titles
-        results_workbook.write_results(records, given.findings, path, titles.project, titles.site)
+        results_workbook.write_results(
+            records,
+            given.findings,
+            path,
+            titles.project,
+            titles.site,
+            given.nodes,
+            length=titles.told_length,
+        )
 
 
 def _check_names(names: Iterable[str]) -> None:
@@ -275,4 +295,4 @@ def _export(
         write_reports(folder, records, given.findings, keys, titles, titles.site)
         left = folder.close(set(given.records) if only else None)
     found = tuple(report.all_findings(records, (*given.findings, *left)))
-    return BuildResult(records, found, timing.stages)
+    return BuildResult(records, found, timing.stages, style=titles)

@@ -43,4 +43,4 @@ def style_settings(style: SheetStyle) -> Iterable[tuple[str, object]]:
         yield f"sheet_{name}", getattr(style, name)
     for name in ("x", "y", "z", "unit"):
         yield f"site_{name}", getattr(style.site, name)
-    yield "site_rotation", math.degrees(style.site.rotation)
+    yield "site_rotation", round(math.degrees(style.site.rotation), 12)

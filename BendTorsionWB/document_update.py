@@ -30,7 +30,7 @@ from BendTorsionWB.exchange.schedule_rows import Schedule
 from BendTorsionWB.objects import sheet as sheet_object
 from BendTorsionWB.objects.proxy import add_property
 
-DRAWN = ("SheetSet", "ArrangementSet")
+DRAWN = ("SheetSet", "ArrangementSet", "NodeSheets")
 """Objects with drawing pages."""
 
 

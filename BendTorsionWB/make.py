@@ -15,6 +15,7 @@ from BendTorsionWB.core.sections import section_catalogue
 from BendTorsionWB.make_plates import make_arrangement as make_arrangement
 from BendTorsionWB.make_plates import make_bed as make_bed
 from BendTorsionWB.make_plates import make_node as make_node
+from BendTorsionWB.make_plates import make_node_sheets as make_node_sheets
 from BendTorsionWB.make_plates import make_plates as make_plates
 from BendTorsionWB.make_plates import make_sheets as make_sheets
 from BendTorsionWB.make_plates import make_unfold as make_unfold
@@ -24,6 +25,7 @@ from BendTorsionWB.objects import end_cuts, given
 from BendTorsionWB.objects import member as member_object
 from BendTorsionWB.objects import section_spec as section_object
 from BendTorsionWB.objects import surface as surface_object
+from BendTorsionWB.objects.common_colours import colour_by as colour_by
 from BendTorsionWB.objects.given import Given
 from BendTorsionWB.objects.new_object import new_object, scripted
 from BendTorsionWB.objects.repair import repair as repair

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The scripting API of open documents and files: schedules in and out, package, report, check.
+"""The scripting API of open documents and files: schedules in and out, package, report, check,
+repair, support bundle.
 
 Each raises BendTorsionError for what it cannot do, and leaves no half-made document or file.
 """
@@ -18,8 +19,11 @@ from BendTorsionWB.document import build_document
 from BendTorsionWB.document_export import export_document, records_of, write_figures
 from BendTorsionWB.document_templates import new_document
 from BendTorsionWB.model_files import checked_recompute
+from BendTorsionWB.objects.repair import repair as give_back
 from BendTorsionWB.project import BuildResult, Progress, detail_members, read_jobs, silent
 from BendTorsionWB.round_trip import write_back
+from BendTorsionWB.shapes.surface_files import shape_from_file
+from BendTorsionWB.support import write_bundle
 
 PROGRESS: ContextVar[Progress] = ContextVar("progress", default=silent)
 """What is told how far the work is; it may raise to stop it."""
@@ -46,6 +50,15 @@ def open_schedule(path: str | os.PathLike, sheets: bool = False):
     document.Label = Path(path).stem
     document.clearUndos()
     return document
+
+
+def import_shapes(document, path: str | os.PathLike):
+    """A plain object with everything of a STEP, IGES or BREP file, faces and free curves; FreeCAD's
+    own import leaves free curves out since 1.0. Raises BendTorsionError for what cannot be read."""
+    shape = shape_from_file(path)
+    feature = document.addObject("Part::Feature", "Shapes")
+    feature.Label, feature.Shape = Path(path).stem, shape
+    return feature
 
 
 def open_template(template: str, path: str | os.PathLike):
@@ -90,6 +103,33 @@ def write_report(document, path: str | os.PathLike) -> None:
 def check(document) -> tuple[Finding, ...]:
     """Recompute an open document; the errors of all its objects."""
     return checked_recompute(document)
+
+
+def repair(document) -> list[str]:
+    """Give the objects of an open document back what computes them, which a document loses that is
+    saved without the workbench, and recompute it; the labels of those that had lost it."""
+    repaired = give_back(document)
+    if repaired:
+        checked_recompute(document)
+    return [obj.Label for obj in repaired]
+
+
+def write_support(path: str | os.PathLike, document=None) -> tuple[str, ...]:
+    """Write what a report of a fault needs into one file (.zip), with the findings and tables of an
+    open document when one is given; the names of what is in it."""
+    report = PROGRESS.get()
+    report("versions", 0, 2)
+    if document is None:
+        return write_bundle(path)
+    active = FreeCAD.ActiveDocument
+    with tempfile.TemporaryDirectory() as beside:
+        copy = Path(beside) / "document.FCStd"
+        document.saveCopy(str(copy))
+        report("findings and tables", 1, 2)
+        try:
+            return write_bundle(path, copy)
+        finally:
+            _activate(active)
 
 
 def _activate(document) -> None:

@@ -13,6 +13,7 @@ from BendTorsionWB.objects import arrangement as arrangement_object
 from BendTorsionWB.objects import assembly_bed as bed_object
 from BendTorsionWB.objects import given, plate_parts
 from BendTorsionWB.objects import node as node_object
+from BendTorsionWB.objects import node_sheets as node_sheets_object
 from BendTorsionWB.objects import plate_set as plates_object
 from BendTorsionWB.objects import section_spec as section_object
 from BendTorsionWB.objects import sheet as sheet_object
@@ -32,6 +33,7 @@ def make_plates(
     nodes: Sequence[float] = (),
     station_spacing: float = 500.0,
     rule_pack: str = "CN",
+    stock: str = "",
     diaphragms: Sequence[Mapping] = (),
     openings: Sequence[Mapping] = (),
     marks: Sequence[Mapping] = (),
@@ -41,7 +43,8 @@ def make_plates(
     """The PlateSet of a member; joints: face -> cumulative ratios (up to 1) or mm, or `auto`.
 
     lanes: face -> seams that divide it along, ratios or mm of its width, or `auto`. nodes: places
-    on the axis joints keep clear of, mm.
+    on the axis joints keep clear of, mm. stock: sheets there are, such as `12000x2500; 16
+    10000x2000`; empty for the rule pack's.
     diaphragms, openings, marks, pieces, edges: rows as on the schedule's sheets, column -> value,
     such as {"s": 3000, "t": 16, "gap": 2, "manhole": "d=400"}; a material is `name, density, E,
     fy`.
@@ -52,6 +55,7 @@ def make_plates(
         Given("NodePlaces", "nodes", nodes),
         Given("StationSpacing", "station_spacing", station_spacing),
         Given("RulePack", "rule_pack", rule_pack),
+        Given("Stock", "stock", stock),
     ]
     tables = {"Diaphragms": diaphragms, "Openings": openings, "Marks": marks}
     for table, rows in {**tables, "Pieces": pieces, "Edges": edges}.items():
@@ -282,4 +286,13 @@ def make_arrangement(document, sheets, label: str = "general arrangement"):
     its pages are made and kept by recompute. Raises BendTorsionError for an empty list."""
     values = [Given("Sheets", "sheets", given.read(label, "sheets", sheets, given.some_rows))]
     kind = arrangement_object.ArrangementSet
+    return new_object(document, "App::FeaturePython", label, kind, values)
+
+
+@scripted
+def make_node_sheets(document, sheets, label: str = "nodes"):
+    """The drawings of the nodes of the members of some sheet sets, drawn in the style of the first;
+    their pages are made and kept by recompute. Raises BendTorsionError for an empty list."""
+    values = [Given("Sheets", "sheets", given.read(label, "sheets", sheets, given.some_rows))]
+    kind = node_sheets_object.NodeSheets
     return new_object(document, "App::FeaturePython", label, kind, values)

@@ -37,7 +37,12 @@ def record_key(key: str, record: MemberRecord) -> str:
     """The key of what is written of a member: besides its own input that shows what the whole
     project tells, such as marks shared by equal plates. Empty for an empty key."""
     return (
-        key_of(key, shared_marks(record), [finding.line() for finding in record.findings])
+        key_of(
+            key,
+            shared_marks(record),
+            [finding.line() for finding in record.findings],
+            [weld.plates for weld in record.welds if weld.kind == "node"],
+        )
         if key
         else ""
     )

@@ -89,19 +89,9 @@ def checked_recompute(document) -> tuple[Finding, ...]:
     BendTorsionError for objects that lost what computes them, and for those that depend on each
     other in a circle: FreeCAD computes none of them, and leaves them up to date by their looks."""
     from BendTorsionWB.objects.proxy import findings_of
-    from BendTorsionWB.objects.repair import bare_objects
+    from BendTorsionWB.objects.repair import refuse_bare
 
-    bare = bare_objects(document)
-    if bare:
-        raise BendTorsionError(
-            error(
-                "object-bare",
-                obj.Label,
-                "does not follow its input: the document was saved without BendTorsion",
-                "run 'python3 -m BendTorsionWB repair FILE'",
-            )
-            for obj in bare
-        )
+    refuse_bare(document.Objects)
     circle = _circle(document)
     if circle:
         raise BendTorsionError(

@@ -12,17 +12,20 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from BendTorsionWB import __version__
 from BendTorsionWB.core import detailing
-from BendTorsionWB.core.drawings.sheet_style import SheetStyle
+from BendTorsionWB.core.drawings.sheet_style import PLAIN_STYLE, SheetStyle
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
 from BendTorsionWB.core.lofting import MemberRecord, failed_record
+from BendTorsionWB.core.memo import stamped
+from BendTorsionWB.core.nodes.node_jobs import all_records
 from BendTorsionWB.core.nodes.nodes import Found
 from BendTorsionWB.core.parallel import attempts, workers_for
-from BendTorsionWB.core.site import AT_ORIGIN, SiteDatum
+from BendTorsionWB.core.patterns.layer_names import named_layers
+from BendTorsionWB.core.site import datum_findings
+from BendTorsionWB.core.welds.landed_marks import with_landed_marks
 from BendTorsionWB.document import build_document
 from BendTorsionWB.document_update import Update
-from BendTorsionWB.exchange import report, results_workbook
+from BendTorsionWB.exchange import report
 from BendTorsionWB.exchange.difference import Change
 from BendTorsionWB.exchange.folder_lock import locked
 from BendTorsionWB.exchange.issue import (
@@ -33,6 +36,7 @@ from BendTorsionWB.exchange.issue import (
     issue,
     write_comparison,
 )
+from BendTorsionWB.exchange.nc1_text import text_findings
 from BendTorsionWB.exchange.output_folder import (
     OutputFolder,
     check_folder,
@@ -44,23 +48,24 @@ from BendTorsionWB.exchange.result_cache import FOLDER as CACHE
 from BendTorsionWB.exchange.result_cache import ResultCache, key_of
 from BendTorsionWB.exchange.revision import cut_findings
 from BendTorsionWB.exchange.schedule import read_schedule
-from BendTorsionWB.exchange.schedule_jobs import job_of, located
+from BendTorsionWB.exchange.schedule_jobs import at_rows, job_of, located
 from BendTorsionWB.exchange.schedule_nodes import with_nodes
 from BendTorsionWB.exchange.schedule_rows import Schedule
 from BendTorsionWB.exchange.whole_file import write_whole
 from BendTorsionWB.member_files import (
     MemberFile,
     member_files,
-    record_key,
     start_all,
     written,
 )
+from BendTorsionWB.member_fragments import Fragments
 from BendTorsionWB.model_files import Wanted, write_model
-from BendTorsionWB.package_files import background_of, write_package
+from BendTorsionWB.package_files import background_of, start_frames, write_package
+from BendTorsionWB.report_files import write_reports
 from BendTorsionWB.sheet_files import write_sheet_set
 from BendTorsionWB.source_files import read_files
 
-RESULTS, REPORT, TIMING = "results.xlsx", "report.json", "timing.json"
+TIMING = "timing.json"
 
 EVERYTHING = Wanted()
 
@@ -92,12 +97,13 @@ class Timing:
 @dataclass(frozen=True)
 class BuildResult:
     """records in schedule order; findings: everything found; timing in seconds per stage;
-    changes: what an update changed in the document."""
+    changes: what an update changed in the document; style: of its sheets, and of findings."""
 
     records: tuple[MemberRecord, ...]
     findings: tuple[Finding, ...]
     timing: dict[str, float]
     changes: tuple[Change, ...] = ()
+    style: SheetStyle = PLAIN_STYLE
 
     @property
     def failed(self) -> bool:
@@ -137,8 +143,9 @@ def read_project(
     files = read_files(schedule, rows)
     jobs, found = with_nodes(schedule, {row.name: job_of(schedule, row, files) for row in rows})
     jobs = {name: job for name, job in jobs.items() if not only or name in only}
-    at_nodes = [finding for finding in found.findings if finding.object in jobs]
-    return schedule, jobs, replace(found, findings=(*files.findings, *at_nodes))
+    at_nodes = [f for f in found.findings if not jobs.keys().isdisjoint(f.objects)]
+    at_site = datum_findings(schedule.settings.site)
+    return schedule, jobs, replace(found, findings=(*at_site, *files.findings, *at_nodes))
 
 
 def compute(
@@ -250,7 +257,7 @@ def _build(
         schedule, jobs, found = read_project(path, only)
         check_project(out, schedule.settings.project, force)
     update = Update(removing)
-    cache, keys = ResultCache(out / CACHE), {name: key_of(job) for name, job in jobs.items()}
+    cache, keys = ResultCache(out / CACHE), {n: key_of(stamped(job)) for n, job in jobs.items()}
     with workers_for(workers, len(jobs)) as own:
         executor = executor or own
         with timing.stage("members"):
@@ -260,16 +267,24 @@ def _build(
 
             geometry = {name: item.geometry for name, item in detailed.items()}
             findings = (*lost, *found.findings, *clashes(geometry, found.met))
+            members = {name: own.member for name, own in geometry.items()}
+            nodes = all_records(found, findings, members, list(jobs))
         folder = OutputFolder(out, read_manifest(out), schedule.settings.project)
         titles = schedule.settings.sheet_style
         with timing.stage("numbering"):
             own = [item.record for item in detailed.values()]
+            own = [replace(one, findings=at_rows(schedule, one.findings)) for one in own]
+            own = with_landed_marks(own)
             marks = part_marks(out, own, keys, bool(only))
             developed = {record.member: record for record in marks.records}
-            findings += marks.findings
-        files = member_files(developed, keys, titles, wanted.sheets)
+            findings += (*marks.findings, *text_findings(marks.records, titles.project))
+        layers = dict.fromkeys(developed, named_layers(schedule.settings.layer_names))
+        files = member_files(developed, keys, titles, wanted.sheets, layers)
         # Workers make the files of all members while this process builds the document.
         made = start_all([f for f in files if not folder.has(f.name, f.made_from)], executor)
+        site = schedule.settings.site
+        frames = start_frames(folder, developed, keys, executor)
+        fragments = Fragments(developed, jobs, keys, site, cache, executor)
         if wanted.model:
             findings += write_model(
                 folder,
@@ -303,13 +318,14 @@ def _build(
             if wanted.sheets:
                 write_sheet_set(folder, records, list(keys.values()), titles, wanted.svg)
         with timing.stage("package"):
-            behind = background_of(jobs, detailed)
+            behind = background_of(jobs, detailed, fragments)
             own = list(keys.values())
-            write_package(folder, records, findings, own, titles, behind)
+            write_package(folder, records, findings, own, titles, behind, frames)
             keep_part_marks(out, marks)
-    with timing.stage("results"):
-        site = schedule.settings.site
-        write_reports(folder, records, findings, list(keys.values()), titles, site)
+        with timing.stage("results"):
+            own = list(keys.values())
+            write_reports(folder, records, findings, own, titles, site, nodes, fragments)
+            fragments.keep_all()
     with timing.stage("revision"):
         for name in comparison_files(since):
             folder.begin(name)
@@ -318,10 +334,10 @@ def _build(
     with timing.stage("tidy"):
         findings += folder.close(set(jobs) if only else None)
         if not only:
-            cache.sweep(keys.values())
+            cache.sweep([*keys.values(), *fragments.keys.values()])
     write_whole(out / TIMING, _json({**timing.stages, "total": sum(timing.stages.values())}))
     found = tuple(report.all_findings(records, findings))
-    return BuildResult(records, found, timing.stages, tuple(update.changes))
+    return BuildResult(records, found, timing.stages, tuple(update.changes), titles)
 
 
 def issue_folder(out: str | os.PathLike, revision: str, note: str = "") -> Issue:
@@ -353,31 +369,6 @@ def write_member_files(
         else:
             folder.keep(file.name)
         progress("sheets and cut files", done, len(wanted))
-
-
-def write_reports(
-    folder: OutputFolder,
-    records: Sequence[MemberRecord],
-    findings: tuple[Finding, ...],
-    keys: Sequence[str],
-    titles: SheetStyle,
-    site: SiteDatum = AT_ORIGIN,
-) -> None:
-    """Write the workbook of results and the report unless they are there. keys: of the records."""
-    out = folder.out
-    own = [record_key(key, record) for key, record in zip(keys, records, strict=True)]
-    names = [record.member for record in records]
-    key = key_of(own, names, [finding.line() for finding in findings], titles, site)
-    if folder.has(RESULTS, key) and folder.has(REPORT, key):
-        folder.keep(RESULTS)
-        folder.keep(REPORT)
-        return
-    folder.begin(RESULTS)
-    results_workbook.write_results(records, findings, out / RESULTS, titles.project, site)
-    folder.wrote(RESULTS, key)
-    folder.begin(REPORT)
-    report.write_report(records, findings, __version__, out / REPORT)
-    folder.wrote(REPORT, key)
 
 
 def _record(name: str, developed: MemberRecord | None, own: tuple[Finding, ...]) -> MemberRecord:

@@ -34,9 +34,10 @@ import ruled_patches  # noqa: E402
 from BendTorsionWB import freecad_path  # noqa: E402
 from BendTorsionWB.core.axes.axis import fit_axis  # noqa: E402
 from BendTorsionWB.core.axes.frames import surface_frames  # noqa: E402
-from BendTorsionWB.core.flattening.development import develop, shape_of  # noqa: E402
+from BendTorsionWB.core.flattening.development import develop  # noqa: E402
 from BendTorsionWB.core.flattening.elastic import distance, relaxed  # noqa: E402
 from BendTorsionWB.core.flattening.measure import panel_samples  # noqa: E402
+from BendTorsionWB.core.flattening.surface_shape import shape_of  # noqa: E402
 from BendTorsionWB.core.geometry.piecewise import Piecewise  # noqa: E402
 from BendTorsionWB.core.geometry.surface import analytic_surface  # noqa: E402
 from BendTorsionWB.core.joints.lanes import Lanes  # noqa: E402

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Nodes of the concert hall: cuts on the true face, solids against the kernel, overlaps, time.
 
-Run: python3 benchmarks/nodes.py [--build] [SCHEDULE]. Prints each figure beside its limit; ends
-with 1 when one is missed. --build also builds the whole schedule and times it.
+Run: python3 benchmarks/nodes.py [--build] [--steps] [SCHEDULE]. Prints each figure beside its
+limit; ends with 1 when one is missed. --build also builds the whole schedule and times it; --steps
+prints step and angle of every corner beside those measured on the solids.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ freecad_path.append()
 
 import FreeCAD  # noqa: E402, F401
 import numpy as np  # noqa: E402
+from node_steps import corners  # noqa: E402
 
 from BendTorsionWB import project  # noqa: E402
 from BendTorsionWB.core import detailing  # noqa: E402
@@ -67,9 +69,14 @@ def off_face(faces, through_gap, item, cut) -> float:
     return worst
 
 
+def pairs_of(items, solids):
+    """Plate and solid of each."""
+    return [(item.plate, solid) for item, (solid, _) in zip(items, solids, strict=True)]
+
+
 def main(arguments: list[str]) -> int:
     build = "--build" in arguments
-    paths = [a for a in arguments if a != "--build"]
+    paths = [a for a in arguments if not a.startswith("--")]
     path = Path(paths[0]) if paths else SCHEDULE
     start = time.process_time()
     schedule, jobs, found = project.read_project(path)
@@ -123,6 +130,25 @@ def main(arguments: list[str]) -> int:
         other = cut_solid.cut_plate(raw, item.plate)
         worst = max(worst, abs(solid.Volume / other.Volume - 1.0))
     told(f"volume against the kernel's boolean, {len(checked)} plates", worst, 1e-5, "")
+
+    measured = []
+    for node in found.nodes:
+        through = pairs_of(plates[node.through].plates, solids[node.through])
+        for branch in node.branches:
+            own = plates[branch.member].plates
+            ended = [(item, end) for item, end, _ in ends_of(own, node.name)]
+            here = [(item.plate, solids[branch.member][own.index(item)][0]) for item, _ in ended]
+            measured += corners(node, branch, through, here, [end for _, end in ended])
+    if "--steps" in arguments:
+        for corner in measured:
+            print(corner.line())
+    told("corners of flanges in line", len(measured), 1, "", least=True)
+    off = [abs(c.told[0] - c.measured[0]) for c in measured]
+    turned = [abs(c.told[1] - c.measured[1]) for c in measured]
+    told("steps, program against solids", max(off), 0.01, "mm")
+    # The kernel has the flange's normal at the flange's edge, a web's thickness from the corner.
+    told("angles, program against solids", float(np.degrees(max(turned))), 0.02, "deg")
+    told("largest step measured", max(abs(c.measured[0]) for c in measured), 2.7, "mm")
 
     worst, pairs = 0.0, 0
     for node in found.nodes[:: max(1, len(found.nodes) // NODES_CHECKED)]:

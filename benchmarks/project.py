@@ -104,11 +104,12 @@ def write_building(path: Path, count: int) -> None:
     )
 
 
-def measured(path: Path, out: Path, split: int) -> dict:
-    """A build in a process of its own: seconds, stages, peak memory of it and its workers."""
+def measured(*arguments) -> dict:
+    """What a process of its own tells: `--build`, of seconds, stages, peak memory of it and its
+    workers; `--core`."""
     start = time.perf_counter()
     done = subprocess.run(
-        [sys.executable, __file__, "--build", path, out, str(split)],
+        [sys.executable, __file__, *map(str, arguments)],
         capture_output=True,
         text=True,
         cwd=ROOT,
@@ -141,8 +142,10 @@ def size(out: Path, pattern: str) -> float:
     return sum(path.stat().st_size for path in out.rglob(pattern)) / 1e6
 
 
-def core(path: Path, count: int) -> tuple[float, float, float]:
-    """CPU seconds per member of 20 plates, and wall seconds of one process and of two workers."""
+def core(path: str, count: str) -> None:
+    """What the measured process does: CPU seconds per member of 20 plates, and wall seconds of one
+    process and of two workers."""
+    count = int(count)
     schedule, jobs = project.read_jobs(path, [f"M{n + 1}" for n in range(min(count, 48))])
     cpu, start = time.process_time(), time.perf_counter()
     detailed = project.compute(schedule, jobs)
@@ -156,7 +159,8 @@ def core(path: Path, count: int) -> tuple[float, float, float]:
         start = time.perf_counter()
         project.compute(schedule, jobs, executor)
         two = time.perf_counter() - start
-    return cpu / plates * PLATES_PER_MEMBER, one, two
+    for name, seconds in (("each", cpu / plates * PLATES_PER_MEMBER), ("one", one), ("two", two)):
+        print(f"@{name} {seconds}")
 
 
 def row(what: str, value: float, limit: float | None = None, least: bool = False) -> None:
@@ -176,7 +180,7 @@ def main(counts: list[int], kept: Path | None = None) -> None:
             path, out = Path(folder) / "building.xlsx", Path(folder) / "out"
             write_building(path, count)
             print(f"== {count} members")
-            first = measured(path, out, 0)
+            first = measured("--build", path, out, 0)
             times[count] = first["wall"]
             stages = sorted(
                 (k for k in first if k not in ("wall", "memory", "plates", "failed")),
@@ -194,12 +198,12 @@ def main(counts: list[int], kept: Path | None = None) -> None:
             row("cut files, MB", size(out, "*.dxf") + size(out, "*.nc1"))
             row("cache, MB", size(out, "*.member"))
             apart = Path(folder) / "split" if kept is None else kept / str(count)
-            row(f"split by {SPLIT}, s", measured(path, apart, SPLIT)["wall"])
+            row(f"split by {SPLIT}, s", measured("--build", path, apart, SPLIT)["wall"])
             changed = [[*line] for line in _sheet(path, "Members")]
             changed[2][4] = "48%"
             sheets = {name: _sheet(path, name) for name in _names(path)} | {"Members": changed}
             write_schedule(sheets, path)
-            again = measured(path, apart, SPLIT)
+            again = measured("--build", path, apart, SPLIT)
             row("split, one member changed, s", again["wall"], 10 if count == fits else None)
             opened = time.perf_counter()
             document = FreeCAD.openDocument(str(apart / "model.FCStd"), hidden=True)
@@ -212,9 +216,9 @@ def main(counts: list[int], kept: Path | None = None) -> None:
             for name in list(FreeCAD.listDocuments()):
                 FreeCAD.closeDocument(name)
             if count == max(counts):
-                each, one, two = core(path, count)
-                row("core, s per member of 20 plates and core", each, 0.12)
-                row("two workers against one, times", one / two, 1.7, True)
+                alone = measured("--core", path, count)
+                row("core, s per member of 20 plates and core", alone["each"], 0.12)
+                row("two workers against one, times", alone["one"] / alone["two"], 1.7, True)
     if len(times) > 1:
         low, high = min(times), max(times)
         row("growth, exponent", math.log(times[high] / times[low]) / math.log(high / low), 1.1)
@@ -231,6 +235,8 @@ def _sheet(path: Path, name: str) -> list[list]:
 if __name__ == "__main__":
     if sys.argv[1:2] == ["--build"]:
         build(*sys.argv[2:])
+    elif sys.argv[1:2] == ["--core"]:
+        core(*sys.argv[2:])
     else:
         given = sys.argv[1:]
         folder = Path(given[1]) if given[:1] == ["--keep"] else None

@@ -152,7 +152,7 @@ def test_roll_and_fold_lines_are_marked_in_the_cut_file():
 @pytest.mark.parametrize("face", ["auto", "bottom"])
 def test_nothing_overlaps_on_the_bed_plan(spacing, face):
     given = BedInput(face=face, spacing=spacing, pin_pitch=1000.0)
-    page = bed_page(bed_of(MEMBER, given, 500.0, 0, 0.0, MEMBER.length))
+    page, _ = bed_page(bed_of(MEMBER, given, 500.0, 0, 0.0, MEMBER.length))
     boxes = [text_box(text) for text in page.texts]
     for k, box in enumerate(boxes):
         assert not any(boxes_overlap(box, other) for other in boxes[k + 1 :])
@@ -180,7 +180,7 @@ def test_nothing_overlaps_on_the_bed_plan(spacing, face):
 
 
 def test_the_plan_shows_each_saddle_at_its_place():
-    page = bed_page(BED)
+    page, _ = bed_page(BED)
     plan = page.views[0]
     wide = [line for line in page.lines if line.style == "wide"]
     for line, saddle in zip(wide, BED.saddles, strict=False):

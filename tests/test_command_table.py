@@ -14,6 +14,7 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 ROOT = Path(__file__).resolve().parent.parent
 ICONS = ROOT / "resources" / "icons"
 PROMISED = {
+    "ImportShapes": ("Import shapes", set()),
     "MembersFromSelection": ("Members from selection", {"Face", "Edge"}),
     "Surface": ("Surface", {"Face"}),
     "Axis": ("Axis from selection", {"Face", "Edge", "Vertex", "Surface"}),
@@ -45,6 +46,8 @@ PROMISED = {
     "ImportSchedule": ("Import schedule", set()),
     "WriteSchedule": ("Write schedule", set()),
     "Example": ("Example project", set()),
+    "Repair": ("Repair document", set()),
+    "SupportBundle": ("Support bundle", set()),
     "Preferences": ("Preferences", set()),
 }
 """By name: the words of the menu, and kinds of objects whose context menu has it."""

@@ -7,7 +7,8 @@ from curved_members import member, rotation, tapered
 from geodesic import path_length
 
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.flattening.development import develop, shape_of, strain
+from BendTorsionWB.core.flattening.development import develop, strain
+from BendTorsionWB.core.flattening.surface_shape import shape_of
 from BendTorsionWB.core.geometry.piecewise import Piecewise, resolve
 from BendTorsionWB.core.members.zones import Segment
 from BendTorsionWB.core.plates.plates import split_plates

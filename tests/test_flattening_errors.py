@@ -8,9 +8,8 @@ import ruled_patches
 
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.flattening.development import develop, flat_area
-from BendTorsionWB.core.flattening.measure import panel_samples
+from BendTorsionWB.core.flattening.developments import Developments
 from BendTorsionWB.core.patterns.flattened_surface import SURFACES, on_surface
-from BendTorsionWB.core.patterns.flattening_errors import curved_area, flattening_errors
 from BendTorsionWB.core.patterns.laid_flat import PatternInput, laid_flat
 from BendTorsionWB.core.patterns.pattern import MODES, pattern_of
 from BendTorsionWB.core.plates.plates import Joints, split_plates
@@ -30,7 +29,9 @@ def plates(member):
 def test_developable_patches_keep_their_area(rails):
     for mode in ("edges", "energy"):
         laid = develop(rails, mode=mode)
-        assert flat_area(laid) == pytest.approx(curved_area(rails), rel=1e-11)
+        both = Developments((laid,))
+        assert both.flat_areas()[0] == pytest.approx(both.curved_areas()[0], rel=1e-11)
+        assert both.flat_areas()[0] == pytest.approx(flat_area(laid), rel=1e-15)
 
 
 def test_the_area_of_a_helicoid_by_hand():
@@ -38,7 +39,8 @@ def test_the_area_of_a_helicoid_by_hand():
     k, half, length = 1e-4, 400.0, 6000.0
     x = k * half
     area = 2.0 * length * (0.5 / k) * (x * np.sqrt(1.0 + x * x) + np.arcsinh(x))
-    assert curved_area(ruled_patches.helicoid(0.1)) == pytest.approx(area, rel=1e-12)
+    laid = Developments((develop(ruled_patches.helicoid(0.1)),))
+    assert laid.curved_areas()[0] == pytest.approx(area, rel=1e-12)
 
 
 def test_edges_keeps_edges_and_lines_and_leaves_diagonals_and_centre(member, plates):
@@ -52,11 +54,11 @@ def test_edges_keeps_edges_and_lines_and_leaves_diagonals_and_centre(member, pla
 def test_the_centre_line_and_the_area_grow_as_the_twist_says():
     # `edges` makes the centre line longer by b/8 ∬|K|dA = L k²b²/8, the area by L k²b³/12.
     k, b, length = 3e-5, 800.0, 6000.0
-    laid = develop(ruled_patches.helicoid(1e3 * k), mode="edges")
-    samples = panel_samples(laid, np.linspace(0.0, length, 13), ())
-    errors = flattening_errors(laid, samples, (), ())
-    assert errors.centre_line == pytest.approx(length * (k * b) ** 2 / 8.0, rel=1e-3)
-    assert errors.area == pytest.approx(length * b**3 * k**2 / 12.0, rel=2e-3)
+    laid = Developments((develop(ruled_patches.helicoid(1e3 * k), mode="edges"),))
+    (flat,), (true,) = laid.centre_lines()
+    assert flat - true == pytest.approx(length * (k * b) ** 2 / 8.0, rel=1e-3)
+    area = laid.flat_areas()[0] - laid.curved_areas()[0]
+    assert area == pytest.approx(length * b**3 * k**2 / 12.0, rel=2e-3)
 
 
 def test_modes_that_strain_the_edges_say_by_how_much_seams_miss(member, plates):

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 import ruled_patches
 
-from BendTorsionWB.core.flattening.development import ACROSS, develop, shape_inside, shape_of
+from BendTorsionWB.core.flattening.development import ACROSS, develop
+from BendTorsionWB.core.flattening.surface_shape import shape_inside, shape_of
 from BendTorsionWB.core.patterns.forming import (
     FormingRules,
     flat_deviation,
@@ -53,7 +54,14 @@ def roll_lines(development, places=None, mirrored=False):
         [development.flat(places, np.full(len(places), w)) * flip for w in (0.0, 1.0)], axis=1
     )
     border = [first, np.array([first[-1], second[-1]]), second, np.array([second[0], first[0]])]
-    return roll_lines_of(development, places, rulings, border, -1.0 if mirrored else 1.0)
+    return rolled(development, places, rulings, border, -1.0 if mirrored else 1.0)
+
+
+def rolled(development, places, rulings, border, forward=1.0):
+    """The roll lines of one plate."""
+    rails = development.surface.with_rates(places)
+    forward = np.full(len(places), forward)
+    return roll_lines_of([places], rulings, [border], forward, rails)[0]
 
 
 def test_a_cylinder_has_its_radius_and_no_twist_nor_membrane_strain():
@@ -251,14 +259,14 @@ def test_a_roll_line_stops_at_a_fold():
     square = np.array([[0.0, 0.0], [6000.0, 0.0], [6000.0, 600.0], [0.0, 600.0], [0.0, 0.0]])
     fold = np.array([[400.0, 450.0], [600.0, 450.0]])
     (free,), (stopped,) = (
-        roll_lines_of(development, np.array([500.0]), across, border)
+        rolled(development, np.array([500.0]), across, border)
         for border in ([square], [square, fold])
     )
     np.testing.assert_allclose(free.flat, across[0], atol=1e-9)
     np.testing.assert_allclose(stopped.flat, [across[0, 0], [500.0, 450.0]], atol=1e-9)
     assert np.allclose(middle[0], free.flat.mean(axis=0))
     outside = across + (0.0, 700.0)
-    assert roll_lines_of(development, np.array([500.0]), outside, [square]) == ()
+    assert rolled(development, np.array([500.0]), outside, [square]) == ()
 
 
 def test_peaks_are_where_the_fields_are_largest():

@@ -18,7 +18,7 @@ from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.exchange.csv_folder import csv_bytes, read_csv
 from BendTorsionWB.exchange.outside_files import file_of, outside_allowed
 from BendTorsionWB.exchange.xlsx_file import Column, Table, xlsx_bytes
-from BendTorsionWB.shapes import trial_reading
+from BendTorsionWB.shapes import trial_program, trial_reading
 from BendTorsionWB.shapes.trial_reading import failure_of
 
 
@@ -27,9 +27,13 @@ def seeds(tmp_path_factory):
     return Seeds(tmp_path_factory.mktemp("seeds"))
 
 
+FOUND = {"xlsx cells": (2271,)}
+"""Seeds whose damage was a fault once, by kind: a plate 1e-320 mm thick."""
+
+
 @pytest.mark.parametrize("kind", KINDS)
 def test_no_input_crashes_hangs_or_writes_elsewhere(seeds, tmp_path, kind):
-    for seed in range(12):
+    for seed in (*range(12), *FOUND.get(kind, ())):
         (tmp_path / str(seed)).mkdir()
         found = tried(kind, seed, seeds, tmp_path / str(seed))
         assert not found.bad, found
@@ -108,6 +112,40 @@ def test_what_becomes_of_a_reader_is_told(monkeypatch, read, told):
     found = failure_of(read, 0)
     assert told in found and bool(told) == bool(found)
     assert FreeCAD.Version()
+
+
+@pytest.mark.parametrize(
+    ("does", "told"),
+    [
+        ("printf begun > $BENDTORSION_TRIAL_ANSWER; kill -SEGV $$", "crashed"),
+        ("printf begun > $BENDTORSION_TRIAL_ANSWER; exec sleep 60", "longer"),
+        ("exit 1", ""),
+    ],
+)
+def test_what_becomes_of_a_reader_with_a_program_of_its_own_is_told(
+    monkeypatch, tmp_path, does, told
+):
+    """A program that does not come to the file says nothing about it."""
+    program = tmp_path / "reader"
+    program.write_text(f"#!/bin/sh\n{does}\n", encoding="ascii")
+    program.chmod(0o755)
+    monkeypatch.setattr(trial_program, "program", lambda: str(program))
+    found = trial_program.failure_in_program(program, 0.5, tmp_path)
+    assert told in found and bool(told) == bool(found)
+
+
+def test_without_a_fork_a_file_is_tried_by_freecads_own_program(monkeypatch, tmp_path, seeds):
+    """As in the window and on Windows."""
+    path = tmp_path / "good.step"
+    path.write_bytes(seeds.step)
+    answer = tmp_path / "answer.txt"
+    assert trial_program.failure_in_program(path, 60.0, tmp_path) == ""
+    assert answer.read_text(encoding="utf-8") == trial_program.READ
+    monkeypatch.setattr(trial_reading, "can_fork", lambda: False)
+    tried = []
+    monkeypatch.setattr(trial_reading, "failure_in_program", lambda *given: tried.append(given))
+    trial_reading.failure_of_file(path, lambda: pytest.fail("read here"))
+    assert tried[0][0] == path
 
 
 def test_a_file_too_large_is_not_tried():

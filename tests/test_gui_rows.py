@@ -170,3 +170,22 @@ def test_an_error_of_a_member_is_at_the_cell_it_names(document):
     rows[1].member.Cut2 = 4000.0
     document.recompute()
     assert member_rows.faults(member_rows.rows_of(document)) == {}
+
+
+def test_cells_without_a_meaning_have_a_reason(document):
+    """Each locked cell says why; no other does."""
+    rows = member_rows.rows_of(document)
+    for row in rows:
+        for name in member_rows.COLUMNS:
+            assert bool(row.lock_reason(name)) == row.is_locked(name)
+    assert "first segment" in rows[0].lock_reason("cut")
+    assert "first segment" in rows[1].lock_reason("top")
+    assert rows[0].lock_reason("top") == "" == rows[1].lock_reason("cut")
+
+
+def test_the_middle_of_a_segment_counts_cuts_in_mm_and_in_parts(document):
+    """12 m with cuts at 4 m and 75 %."""
+    from BendTorsionWB.objects.segment_edit import middle_of
+
+    member = document.getObjectsByLabel("M1")[0]
+    assert [middle_of(member, k) for k in (1, 2, 3)] == [2000.0, 6500.0, 10500.0]

@@ -16,7 +16,7 @@ import Part
 import pytest
 from test_build import APART, schedule
 
-from BendTorsionWB import project
+from BendTorsionWB import member_fragments, project
 from BendTorsionWB.__main__ import main
 from BendTorsionWB.exchange import result_cache
 from BendTorsionWB.model_files import Wanted
@@ -107,6 +107,43 @@ def test_a_changed_member_is_computed_alone_and_all_is_as_in_a_new_folder(book, 
             assert after[name] == before[name]
     assert after["report.json"] != before["report.json"]
     assert len(cached(out)) == 2, "the former result of M2 is swept away"
+    build(book, tmp_path / "anew", PLAIN)
+    assert contents(out) == contents(tmp_path / "anew")
+
+
+@pytest.mark.slow
+def test_of_a_changed_member_alone_rows_and_pictures_are_made_anew(book, tmp_path, monkeypatch):
+    out, made = tmp_path / "out", []
+    real = member_fragments.fragment_of
+
+    def spy(given):
+        made.append(given.record.member)
+        return real(given)
+
+    def green(value):
+        """Of one member: no strain changes, so that no picture has other colours."""
+        given = openpyxl.load_workbook(book)
+        sheet = given["Members"]
+        heads = [cell.value for cell in sheet[1]]
+        column = heads.index("green_start") + 1 if "green_start" in heads else len(heads) + 1
+        sheet.cell(1, column, "green_start")
+        row = next(k for k in range(2, sheet.max_row + 1) if sheet.cell(k, 1).value == "M2")
+        sheet.cell(row, column, value)
+        given.save(book)
+
+    monkeypatch.setattr(member_fragments, "fragment_of", spy)
+    build(book, out, PLAIN)
+    assert sorted(made) == ["M1", "M2"]
+    made.clear()
+    green(5)
+    build(book, out, PLAIN)
+    assert made == ["M2"]
+    made.clear()
+    for kept in (out / ".cache").glob("*.fragment"):
+        kept.write_bytes(kept.read_bytes()[:-1])
+    green(6)
+    build(book, out, PLAIN)
+    assert sorted(made) == ["M1", "M2"], "what is damaged is as good as absent"
     build(book, tmp_path / "anew", PLAIN)
     assert contents(out) == contents(tmp_path / "anew")
 

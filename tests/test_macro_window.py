@@ -15,7 +15,7 @@ SCRIPT = ROOT / "tests" / "window" / "macro_session.py"
 PICTURES = ROOT / "build" / "pictures" / "macro"
 CHANGE_NOTHING = {
     *("ShowAs", "ShowFrames", "ShowMarks", "ShowPoints", "MemberTable", "Check", "Findings"),
-    *("WriteSchedule", "Report", "ExportPackage"),
+    *("WriteSchedule", "Report", "ExportPackage", "Repair", "SupportBundle"),
 }
 """Commands that look at a document or write files."""
 ELSEWHERE = {"ImportSchedule", "Example", "Preferences"}

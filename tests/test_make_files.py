@@ -24,6 +24,28 @@ def document():
     FreeCAD.closeDocument(document.Name)
 
 
+def test_imported_shapes_hold_faces_and_free_curves(tmp_path):
+    """A face and two curves that belong to none, which FreeCAD's own import may leave out."""
+    import Part
+
+    path = tmp_path / "roof.step"
+    curves = [Part.makeLine((0, y, 100), (900, y, 100)) for y in (200, 400)]
+    Part.Compound([Part.makePlane(1000, 500), *curves]).exportStep(str(path))
+    document = FreeCAD.newDocument("shapes", hidden=True)
+    try:
+        made = make_files.import_shapes(document, path)
+        assert made.Label == "roof" and len(made.Shape.Faces) == 1
+        assert len(made.Shape.Edges) == 4 + 2
+        assert made.Shape.BoundBox.ZMax == pytest.approx(100.0, abs=1e-6)
+        path.write_text("nothing", encoding="ascii")
+        with pytest.raises(BendTorsionError) as caught:
+            make_files.import_shapes(document, path)
+        assert caught.value.findings[0].code == "file-unreadable"
+        assert document.Objects == [made]
+    finally:
+        FreeCAD.closeDocument(document.Name)
+
+
 def test_layers_of_cut_files_by_other_names(document, tmp_path):
     """The package has them, read back by ezdxf; the rest keeps the names of the contract."""
     import ezdxf

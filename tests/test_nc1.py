@@ -2,15 +2,17 @@
 """NC1 files, read by a reader written from the format's description alone."""
 
 import math
+import re
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from flat_plates import rectangle, strip
 
-from BendTorsionWB.core.lofting import PlateEdge
+from BendTorsionWB.core.lofting import MemberRecord, PlateEdge
 from BendTorsionWB.core.welds.bevel_record import EdgeBevel
 from BendTorsionWB.exchange.nc1 import plate_nc1
+from BendTorsionWB.exchange.nc1_text import text_findings
 
 
 def read(content: bytes) -> dict:
@@ -205,3 +207,42 @@ def test_the_contour_of_a_face_begins_at_its_own_corner_and_is_as_large_as_its_h
     marks = [row for kind, rows in file["blocks"] if kind == "BO" for _, row in rows]
     places = [float(row.split("m")[1].split()[0]) for row in marks]
     assert min(places) == pytest.approx(50.0 - 14.0)
+
+
+def test_an_edge_all_but_straight_is_a_line_and_fields_stay_apart():
+    """An arc of 0.001 mm over 4 m has a radius of 2e9 mm, which no field holds: a line."""
+
+    def bowed(sagitta):
+        return strip(
+            "M1-T1",
+            lambda s: np.column_stack([s, sagitta * (2.0 * s / 4000.0 - 1.0) ** 2]),
+            lambda s: np.column_stack([s, np.full_like(s, 800.0)]),
+            4000.0,
+            area=3.2e6,
+        )
+
+    straight = contour(dict(read(plate_nc1(bowed(0.001)))["blocks"])["AK"])
+    assert all(point[2] == 0.0 for point in straight)
+    curved = contour(dict(read(plate_nc1(bowed(0.5)))["blocks"])["AK"])
+    radius = 2000.0**2 / (2.0 * 0.5)
+    assert max(abs(p[2]) for p in curved) == pytest.approx(radius, rel=0.2)
+    # Where an arc of the widest radius begins every field is read by itself.
+    for sagitta in (0.006, 0.02, -0.006):
+        points = contour(dict(read(plate_nc1(bowed(sagitta)))["blocks"])["AK"])
+        assert max(abs(p[2]) for p in points) == pytest.approx(2e6 / abs(sagitta), rel=0.01)
+
+
+def test_texts_that_are_not_ascii_have_a_name_of_their_own_and_a_note():
+    """No question marks: what stands for a name is the same in every file, and told."""
+    plate = replace(rectangle("主拱1-T3"), member="主拱1", material="Stål 355")
+    file = read(plate_nc1(plate, "深圳音乐厅"))
+    order, drawing, _, mark, grade, *_ = file["header"]
+    assert re.fullmatch("U[0-9A-F]{6}", order) and grade == "Stal 355"
+    assert re.fullmatch("U[0-9A-F]{6}_1-T3", mark) and mark == f"{drawing}-T3"
+    assert read(plate_nc1(replace(plate, member="次拱1"), ""))["header"][1] != drawing
+    record = MemberRecord("主拱1", "", "", plates=(plate,))
+    found = {f.position: f for f in text_findings([record], "深圳音乐厅")}
+    assert set(found) == {"order", "member", "grade"}
+    assert found["order"].value == order and "深圳音乐厅" in found["order"].message
+    assert all(f.severity == "note" and f.code == "nc1-text" for f in found.values())
+    assert text_findings([replace(record, member="M1", plates=(rectangle(),))], "Hall") == ()

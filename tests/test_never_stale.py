@@ -95,8 +95,7 @@ def check_nothing_stale(document, edited):
         if obj.BT_Type in PAGES:
             continue
         above = [up for up in obj.OutListRecursive if getattr(up, "BT_Type", "") and in_error(up)]
-        if obj.BT_Type != "ArrangementSet":
-            assert in_error(obj) or not above, f"{edited}: {obj.Label} is ok, {above[0].Label} not"
+        assert in_error(obj) or not above, f"{edited}: {obj.Label} is ok, {above[0].Label} not"
         if in_error(obj):
             shape = getattr(obj, "Shape", None)
             assert shape is None or not shape.SubShapes, f"{edited}: {obj.Label} keeps its shape"

@@ -2,6 +2,7 @@
 """Part marks: shared by equal plates only, whatever their place, order and hand."""
 
 import dataclasses
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,8 +12,9 @@ from flat_plates import member, rectangle
 from BendTorsionWB.core.axes.axis import fit_axis
 from BendTorsionWB.core.axes.frames import surface_frames
 from BendTorsionWB.core.geometry.surface import analytic_surface
-from BendTorsionWB.core.lofting import MemberRecord
+from BendTorsionWB.core.lofting import FlatHole, FlatMark, MemberRecord
 from BendTorsionWB.core.members.member import Member
+from BendTorsionWB.core.members.thickness import Chamfer
 from BendTorsionWB.core.members.zones import Segment, section_law
 from BendTorsionWB.core.patterns.numbering import numbered
 from BendTorsionWB.core.patterns.pattern import develop_plate
@@ -54,10 +56,36 @@ def test_members_of_equal_geometry_share_parts():
         assert found[f"M2-{letter}1"] == found[f"M1-{letter}1"] == (f"M1-{letter}1", 2, "")
 
 
-def test_a_reversed_axis_turns_left_to_right_and_shares_the_flanges():
+def test_a_reversed_axis_shares_nothing_for_its_lines_are_numbered_from_the_other_end():
+    """The plates are congruent, but one file would mark +s and the lines of one of them wrong."""
     found = parts(record("M1", curve()), record("M2", curve()[::-1]))
-    assert found["M2-T1"][0] == "M1-T1" and found["M2-B1"][0] == "M1-B1"
-    assert found["M2-L1"][0] == "M1-R1" and found["M2-R1"][0] == "M1-L1"
+    assert {part for part, _, _ in found.values()} == set(found)
+    assert {quantity for _, quantity, _ in found.values()} == {1}
+
+
+def test_plates_share_a_part_only_when_one_file_marks_them_all():
+    one, two = rectangle("M1-T1"), rectangle("M1-T2")
+
+    def shared(plate):
+        (found,) = numbered([MemberRecord("M1", "", "", plates=(one, plate))])
+        return found.plates[1].part == "M1-T1"
+
+    assert shared(two)
+    later = tuple(replace(line, label=line.label.replace("L-", "L-1")) for line in two.lines)
+    assert any(line.label.startswith("L-") for line in one.lines)
+    assert not shared(replace(two, lines=later))
+    # Numbered from the other end it is the same turned by half a turn, with all that is on it.
+    size = np.array([two.length, two.width])
+    turned = tuple(replace(line, flat=size - line.flat) for line in two.lines)
+    assert shared(replace(two, lines=turned))
+    # With a mark near one end it is not: that end is E-1 of the one and E-2 of the other.
+    stroke = FlatMark("line", "", np.array([[600.0, 0.0], [600.0, 800.0]]))
+    one = replace(one, marks=(stroke,))
+    assert shared(replace(two, marks=(stroke,)))
+    assert not shared(replace(two, lines=turned, marks=(stroke,)))
+    # Marked on the other face a symmetrical plate has the same contour but is another's mirror.
+    other = {"inside": "outside", "outside": "inside"}[two.marking_face]
+    assert not shared(replace(two, marking_face=other))
 
 
 def test_mirrored_members_share_nothing_and_say_so():
@@ -147,10 +175,49 @@ def test_plates_that_differ_in_a_bevel_alone_are_different_parts():
         rectangle("M1-T5"),
     )
     [record] = numbered([member("M1", plates)])
-    # A rectangle with the other edge cut is the same turned round.
-    assert [p.part for p in record.plates] == ["M1-T1"] * 3 + ["M1-T4", "M1-T5"]
+    # A rectangle with the other edge cut is the same turned round, but its +s is the other way.
+    assert [p.part for p in record.plates] == ["M1-T1"] * 2 + ["M1-T3", "M1-T4", "M1-T5"]
     end = EdgeBevel("end", "E-2", "", "", 0.0, 800.0, 0.0, (np.radians(30.0), 18.0))
     ended = [dataclasses.replace(p, bevels=(*p.bevels, end)) for p in plates[:3]]
     [record] = numbered([member("M1", tuple(ended))])
     assert [p.part for p in record.plates] == ["M1-T1", "M1-T1", "M1-T3"]
     assert [p.opposite_hand for p in record.plates] == ["M1-T3", "M1-T3", "M1-T1"]
+
+
+def test_plates_marked_or_chamfered_otherwise_are_different_parts():
+    """What is marked for a diaphragm, and a chamfer, cannot be exchanged either."""
+    first, second = rectangle("M1-T1"), rectangle("M1-T2")
+    here, there = (
+        FlatMark("line", f"M1-D{k}", np.array([[u, 0.0], [u, 800.0]]))
+        for k, u in ((1, 600.0), (2, 900.0))
+    )
+
+    def shared(**changed):
+        plates = (replace(first, marks=(here,)), replace(second, **changed))
+        (found,) = numbered([MemberRecord("M1", "", "", plates=plates)])
+        return found.plates[1].part == "M1-T1"
+
+    assert shared(marks=(replace(here, text="M1-D7"),))
+    assert not shared(marks=(there,)) and not shared(marks=())
+    # Turned by half a turn the line lies 600 mm from the other end; so does +s of the plate.
+    turned = replace(here, flat=np.array([[1800.0, 800.0], [1800.0, 0.0]]))
+    assert not shared(marks=(turned,))
+    first = replace(first, lines=())
+    assert shared(marks=(turned,), lines=())
+    chamfer = Chamfer(16.0, 4.0, "inner")
+    assert not shared(marks=(here,), chamfers=(None, chamfer))
+
+
+def test_holes_that_match_after_half_a_turn_are_no_difference():
+    def hole(label, u, v):
+        around = np.linspace(0.0, 2.0 * np.pi, 64)
+        ring = np.column_stack([u + 50.0 * np.cos(around), v + 50.0 * np.sin(around)])
+        return FlatHole(label, "d=100", (ring,), (u, v, 100.0), np.pi * 2500.0)
+
+    # Of parts without lines, such as diaphragms, there is no +s to be wrong.
+    bare = replace(rectangle("M1-T1"), lines=())
+    one = replace(bare, holes=(hole("O-1", 300.0, 200.0), hole("O-2", 1500.0, 500.0)))
+    two = replace(bare, mark="M1-T2", holes=(hole("O-1", 900.0, 300.0), hole("O-2", 2100.0, 600.0)))
+    other = replace(two, mark="M1-T3", holes=(hole("O-1", 900.0, 350.0), two.holes[1]))
+    (found,) = numbered([MemberRecord("M1", "", "", plates=(one, two, other))])
+    assert [plate.part for plate in found.plates] == ["M1-T1", "M1-T1", "M1-T3"]

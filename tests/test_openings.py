@@ -207,6 +207,15 @@ def test_on_lanes_the_offset_counts_from_the_middle_of_the_face():
     first, second = (p for p in with_parts(member, plates, (), rows)[0] if p.face == "top")
     assert first.openings[0].spot.point == pytest.approx([2000.0, 140.0, 440.0], abs=1e-8)
     assert second.openings[0].spot.point == pytest.approx([2000.0, -150.0, 440.0], abs=1e-8)
+    for offset, value in ((0.0, None), (-50.0, 10.0)):
+        row = Opening("top", 2000.0, hole_shape("d=80"), offset)
+        (finding,) = findings(with_parts, member, plates, (), [row])
+        assert finding.code == "opening-on-seam" and "offset" in finding.mend
+        assert finding.value == (None if value is None else pytest.approx(value, abs=0.01))
+    outside = Opening("top", 2000.0, hole_shape("d=80"), -270.0)
+    assert [f.code for f in findings(with_parts, member, plates, (), [outside])] == [
+        "opening-outside"
+    ]
     flat = flat_parts(member, plates, [Diaphragm(4000.0, 10.0, gap=2.0)]).flats[0]
     assert np.ptp(flat.outline[:, :2], axis=0) == pytest.approx([556.0, 856.0], abs=1e-6)
 

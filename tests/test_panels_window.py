@@ -57,6 +57,21 @@ def test_an_expression_is_kept_in_one_undo_step(window):
     assert seen["undone"] == [2000.0, []]
 
 
+def test_each_lane_of_a_face_is_drawn_and_their_joints_move_together(window):
+    """Named by face and letter; every plate there is has its place."""
+    seen = step(window, "lanes")
+    assert {"top a", "top b", "bottom", "left", "right"} <= set(seen["names"])
+    assert "top" not in seen["names"] and seen["status"] == "ok"
+    assert len(seen["marks"]) == 6 and seen["plates"] == 6 + 1 + 2 + 1
+    assert len(seen["moved"]) == 2 and min(seen["moved"]) > 1.0
+
+
+def test_a_table_of_parts_says_how_it_is_filled(window):
+    """And offers the faces, where one is asked for."""
+    hint, faces, places = step(window, "part_tables")
+    assert "paste" in hint and set(faces) == {"top", "bottom", "left", "right"} and places == []
+
+
 def test_what_the_checks_refuse_cannot_be_accepted(window):
     """A gap that leaves nothing of the branch: the node is in error, OK is off, Cancel mends."""
     seen = step(window, "refused")

@@ -47,7 +47,7 @@ def test_report_has_exactly_the_keys_of_the_contract(tmp_path):
     records = [member("M1", plates), FAILED]
     write_report(records, [note("n", "x", "é")], "0.1.0", tmp_path / "r.json")
     report = read_strictly(tmp_path / "r.json")
-    assert list(report) == ["version", "members", "findings"]
+    assert list(report) == ["version", "members", "nodes", "findings"]
     first, second = report["members"]
     assert list(first) == MEMBER_KEYS.split()
     assert list(first["plates"][0]) == PLATE_KEYS.split()
@@ -79,20 +79,22 @@ def test_members_stay_in_their_order():
     ("changes", "plate_changes", "passed"),
     [
         ({}, {}, True),
-        ({"axis_to_surface_rms": 0.0031}, {}, False),
+        ({"axis_to_surface_rms": 0.0031}, {}, "noted"),
         ({"torsion_error_max": math.radians(0.00101)}, {}, False),
         ({"axis_to_surface_rms": None}, {}, True),
         ({}, {"length_error_max": 0.0125, "length_error_bound": 0.01}, False),
         ({}, {"length_error_max": 0.0125, "length_error_bound": 0.01, "in_transition": True}, True),
         ({}, {"length_error_max": 0.021, "length_error_bound": 0.01, "in_transition": True}, False),
-        ({}, {"length_error_max": 0.004, "length_error_bound": 0.0015}, False),
+        ({}, {"length_error_max": 0.004, "length_error_bound": 0.0015}, "noted"),
         ({}, {"length_error_max": 9e-7, "length_error_bound": 0.0}, True),
-        ({}, {"length_error_max": 2e-6, "length_error_bound": 0.0}, False),
+        ({}, {"length_error_max": 2e-6, "length_error_bound": 0.0}, "noted"),
         ({}, {"length_error_max": math.nan}, False),
         ({"findings": (error("clash", "M1", "meets M2"),)}, {}, False),
     ],
 )
 def test_the_table_judges_each_figure_against_its_limit(changes, plate_changes, passed):
+    """A figure beyond which there is a note only is told and marked, and is no limit."""
+    noted, passed = passed == "noted", bool(passed)
     record = member("M1", (rectangle(), rectangle("M1-T2", **plate_changes)), **changes)
     lines = summary_lines([record], ())
     row = next(line for line in lines if line.startswith("M1"))
@@ -100,7 +102,9 @@ def test_the_table_judges_each_figure_against_its_limit(changes, plate_changes, 
     assert passed or row.endswith("FAIL" if "findings" in changes else "over")
     # What the table marks is among the checks, at the plate or the member.
     beyond = [f for f in report_json([record], (), "0")["findings"] if f["code"] != "clash"]
-    assert bool(beyond) == (not passed and "findings" not in changes)
+    assert bool(beyond) == (noted or (not passed and "findings" not in changes))
+    assert noted == ({f["severity"] for f in beyond} == {"note"})
+    assert ("*" in row) == any("no limit" in line for line in lines) >= noted
     assert {f["object"] for f in beyond} <= {"M1", "M1-T2"}
     assert all(f["limit"] and f["message"] and f["mend"] for f in beyond)
     assert lines[-1].startswith(f"{int(passed)} of 1 members within the limits")

@@ -287,7 +287,13 @@ def test_sheets_survive_json():
         assert again == sheet and hash(again) == hash(sheet)
 
 
-def test_text_width_is_never_less_than_the_fonts():
+@pytest.fixture
+def qt_program():
+    """A Python that has Qt."""
+    return sys.executable
+
+
+def test_text_width_is_never_less_than_the_fonts(qt_program):
     script = (
         "from BendTorsionWB.sheets.qt import qt_modules\n"
         "_, qt = qt_modules()\n"
@@ -299,7 +305,7 @@ def test_text_width_is_never_less_than_the_fonts():
     )
     samples = ["M12-T3", "L-12", "P-104", "-40000.5", "4000.0 × 812.3", "face top, WAV 3.2°", "–"]
     done = subprocess.run(
-        [sys.executable, "-c", script],
+        [qt_program, "-c", script],
         cwd=Path(__file__).resolve().parent.parent,
         input="\n".join(samples),
         capture_output=True,

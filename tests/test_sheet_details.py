@@ -14,14 +14,16 @@ from test_sheet import strip_member, strip_plate
 from test_sheet_style import RECORD, words_of
 
 from BendTorsionWB.core.drawings import sheet_pattern, sheet_plate
+from BendTorsionWB.core.drawings.sheet import text_width, wrapped
 from BendTorsionWB.core.drawings.sheet_detail import detail_blocks
 from BendTorsionWB.core.drawings.sheet_findings import FINDINGS_CHINESE, finding_text
-from BendTorsionWB.core.drawings.sheet_layout import member_sheets
+from BendTorsionWB.core.drawings.sheet_layout import member_sheets, piece_record
 from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.drawings.sheet_terms import CHINESE
 from BendTorsionWB.core.drawings.sheet_weld import kind_letters, weld_kind
 from BendTorsionWB.core.drawings.sheet_weld_map import LABEL_SPACING, weld_map_blocks
 from BendTorsionWB.core.finding import warning
+from BendTorsionWB.core.welds.bevel_record import EdgeBevel
 from BendTorsionWB.core.welds.preps import prep_of
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -70,7 +72,7 @@ def test_the_list_of_welds_has_depths_and_bars_and_the_total_length():
         if "cut / on" in table.header
         for row in table.rows
     }
-    assert rows[welds[0].mark]["backing"] == "30x6" and rows[welds[0].mark]["depth"] == "full"
+    assert rows[welds[0].mark]["backing"] == "30x6" and rows[welds[0].mark]["depth"] == "20.0"
     assert rows[welds[1].mark]["depth"] == "14.0"
     assert float(rows["total"]["length"]) == pytest.approx(sum(w.length for w in welds), abs=0.05)
     words = words_of(sheets)
@@ -82,7 +84,12 @@ def test_details_name_every_point_a_long_plate_has_no_room_for():
     sheets = member_sheets(replace(strip_member(), plates=(plate,)))
     whole = [sheet for sheet in sheets if sheet.title == "M1 flat patterns"]
     parts = [sheet for sheet in sheets if sheet.title == "M1 flat patterns: details"]
-    assert any("in the details" in word or "see details" in word for word in words_of(whole))
+    # By the numbers of the sheets with its details and tables.
+    numbers = {sheet.number for sheet in parts}
+    numbers |= {s.number for s in sheets if any(t.text.startswith("M1-T1:") for t in s.texts)}
+    told = re.search(r"(?:details on|see) sheet ([0-9–, ]+)", " ".join(words_of(whole)))[1]
+    spans = [list(map(int, run.split("–"))) for run in re.split(", *", told.strip()) if run]
+    assert {n for span in spans for n in range(span[0], span[-1] + 1)} == numbers
     drawn = set(words_of(parts))
     labels = {point.label for point in plate.points if point.kind == "arris"}
     assert labels | {line.label for line in plate.lines} <= drawn
@@ -147,3 +154,84 @@ def test_words_chosen_by_a_value_have_their_chinese_terms():
         *sheet_plate.CONTOURS.values(),
     }
     assert words - set(CHINESE) == set()
+
+
+def test_corner_lines_of_a_stepped_piece_end_where_the_longer_of_their_faces_does(delivered):
+    first, second, _ = delivered.record.pieces
+    assert dict(first.piece.end_offsets) == {"top": 80.0, "bottom": -80.0, "right": 40.0}
+    ends = {"TL": 80.0, "TR": 80.0, "BR": 40.0, "BL": 0.0, "axis": 0.0}
+    before, after = (piece_record(delivered.record, one).wireframe for one in (first, second))
+    for name, step in ends.items():
+        assert before[name][-1, 0] == pytest.approx(first.piece.end + step)
+    starts = {"TL": 0.0, "TR": 40.0, "BR": -80.0, "BL": -80.0}
+    for name, step in starts.items():
+        assert after[name][0, 0] == pytest.approx(second.piece.start + step, abs=0.1)
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_welds_with_backing_tests_and_a_preparation_written_out_stay_on_a_small_page(language):
+    inline = prep_of("bevel angle=40 land=6 gap=2 inner backing=30x6")
+    named = prep_of("thick seam with a long name of the workshop: v angle=45 gap=6 backing=30x6")
+    tests = ("UT 100 % ISO 17640 level B", "MT 20 %", "")
+    welds = tuple(
+        replace(weld, prep=(inline, named, weld.prep)[k % 3], ndt=tests[k % 3], place="field")
+        for k, weld in enumerate(RECORD.welds)
+    )
+    record = replace(RECORD, welds=welds)
+    style = SheetStyle(format="A4", language=language)
+    sheets = [s for s in member_sheets(record, style) if s.number > 1]
+    assert [fault for sheet in sheets for fault in faults(sheet)] == []
+    say = style.say
+    cells = {}
+    for sheet in sheets:
+        for table in sheet.tables:
+            if say("symbol") in table.header:
+                for row in table.rows:
+                    known = dict(zip(table.header, row, strict=True))
+                    cells.setdefault(known[say("symbol")], {}).update(known)
+    for weld in welds:
+        own = cells[kind_letters(welds)[weld_kind(weld)]]
+        assert own[say("NDT")] == (weld.ndt or "–")
+        assert own[say("backing")] == ("30x6" if weld.prep.backing else "–")
+    words = words_of(sheets)
+    # What a preparation's type and sizes say its symbol shows.
+    assert not any("angle=" in word or "land=" in word for word in words)
+    if language == "zh":
+        assert not {"corner", "butt"} & {part for word in words for part in word.split()}
+
+
+def test_rows_of_edges_tell_where_their_stretch_lies_on_the_pattern(delivered):
+    """A straight box: u runs with s, and stretches follow one another along the edge."""
+    plate = next(p for p in delivered.record.plates if p.mark == "M1-T2")
+    edge = plate.edges[0].edge
+    half = 0.5 * (plate.s_start + plate.s_end)
+    spans = ((plate.s_start, half), (half, plate.s_end))
+    sides = tuple(EdgeBevel("first", edge, "", "", *span, 0.1 * k) for k, span in enumerate(spans))
+    record = replace(delivered.record, plates=(replace(plate, bevels=sides),), pieces=(), beds=())
+    rows = [
+        dict(zip(table.header, row, strict=True))
+        for sheet in member_sheets(record)
+        for table in sheet.tables
+        if "u from" in table.header
+        for row in table.rows
+        if row[0] == edge
+    ]
+    assert len(rows) == 2
+    points = [p for p in plate.points if p.kind == "arris" and p.edge == edge]
+    for row, (start, end) in zip(rows, spans, strict=True):
+        for name, at in (("from", start), ("to", end)):
+            assert float(row[f"s {name}"]) == pytest.approx(at, abs=0.06)
+            wanted = points[0].flat[0] + at - points[0].s
+            assert float(row[f"u {name}"]) == pytest.approx(wanted, abs=0.11)
+
+
+@pytest.mark.parametrize("width", [20.0, 40.0, 60.0])
+def test_chinese_is_wrapped_between_characters_but_not_before_closing_marks(width):
+    text = "展开图为成形前净尺寸，按中面展开，自划线面看。u 向右、v 向上，L：测站线；x, y, z 12。"
+    lines = wrapped(text, 1.8, width)
+    assert "".join(lines).replace(" ", "") == text.replace(" ", "")
+    assert all(text_width(line, 1.8) <= width for line in lines)
+    # No line but the last has room for two characters more.
+    assert all(text_width(line, 1.8) > width - 4 * 1.8 for line in lines[:-1] if "z" not in line)
+    assert not any(line[0] in "，。；：、" for line in lines)
+    assert wrapped("one two  three", 1.8, 1e3) == ["one two three"]

@@ -11,6 +11,7 @@ from BendTorsionWB import project
 from BendTorsionWB.core.drawings.sheet import Polyline, Text
 from BendTorsionWB.core.drawings.sheet_arrangement import arrangement_sheets
 from BendTorsionWB.core.drawings.sheet_layout import member_sheets
+from BendTorsionWB.core.drawings.sheet_node import node_sheets
 from BendTorsionWB.core.drawings.sheet_style import FORMATS, SheetStyle
 
 USUAL = SheetStyle("Concert hall, entrance ribs", "A. N.")
@@ -45,6 +46,22 @@ def test_sheets_of_the_hall_can_be_read_in_every_style(records, number):
     # A member in each style, another in each; all are in the usual one.
     sheets = [*member_sheets(records[number], style), *arrangement_sheets(records, style)]
     assert [fault for sheet in sheets for fault in faults(sheet)] == []
+
+
+@pytest.fixture(scope="module")
+def meeting():
+    schedule, jobs = project.read_jobs(HALL.with_name("concert_hall_nodes.xlsx"))
+    return [result.record for result in project.compute(schedule, jobs).values()]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("form", ["A4", "A3", "A1", "ARCH D"])
+def test_every_node_of_the_hall_can_be_read_and_is_one_page_on_a3(meeting, form):
+    count = len({node.node for record in meeting for node in record.nodes})
+    for standard, language in (("ISO", "en"), ("AWS", "en"), ("ISO", "zh"), ("AWS", "zh")):
+        sheets = node_sheets(meeting, SheetStyle("Hall", "", form, standard, language))
+        assert [fault for sheet in sheets for fault in faults(sheet)] == []
+        assert len(sheets) == count >= 30 or (form == "A4" and len(sheets) <= 3 * count)
 
 
 def test_what_cannot_be_read_is_found(records):

@@ -3,16 +3,18 @@
 
 import math
 import subprocess
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from curved_members import ELLIPSOID, diagonal
 from meeting_members import PLANE, counter
+from sheet_checks import faults
 
 from BendTorsionWB.core import detailing
 from BendTorsionWB.core.axes.axis_input import AxisInput
 from BendTorsionWB.core.axes.frames import FrameInput
-from BendTorsionWB.core.drawings.sheet import outside_frame, overlapping_texts
+from BendTorsionWB.core.drawings import sheet_node
 from BendTorsionWB.core.drawings.sheet_node import has_nodes, node_sheets
 from BendTorsionWB.core.drawings.sheet_node_view import clipped
 from BendTorsionWB.core.drawings.sheet_style import SheetStyle, fixed
@@ -179,7 +181,7 @@ def test_a_field_joint_is_no_end_at_the_node_and_the_far_side_of_a_t_has_none():
 def test_views_are_to_scale(crossing):
     """The cuts, drawn wide, lie the root gap off the face, as long as they are."""
     sheet, *_ = node_sheets(crossing)
-    (first, second, third) = sheet.views
+    (first, second, third) = sheet.views[:3]
     cuts = [np.array(line.points) for line in first.polylines if line.style == "wide"]
     assert len(cuts) == 8
     assert sorted({round(abs(y), 6) for cut in cuts for _, y in cut}) == [203.0]
@@ -209,13 +211,15 @@ def test_everything_is_shown_and_nothing_overlaps(case, style):
     sheets = node_sheets(case, style)
     assert [sheet.number for sheet in sheets] == list(range(1, len(sheets) + 1))
     for sheet in sheets:
-        assert overlapping_texts(sheet.all_texts()) == []
-        assert outside_frame(sheet) == []
-        assert min(text.height for text in sheet.all_texts()) >= 1.8
-    assert sum(len(sheet.views) for sheet in sheets) == 3
+        assert faults(sheet) == []
+        # Its pages in a document have one scale each.
+        assert len({view.scale for view in sheet.views}) <= 1
+    through, *branches = case
+    flats = [plate.mark for plate in through.plates if plate.face == "diaphragm"]
+    names = [view.name for sheet in sheets for view in sheet.views]
+    assert len(names) == 3 + len(flats) and set(flats) <= set(names)
     shown = {text.text for sheet in sheets for text in sheet.texts}
     rows = {row[0] for sheet in sheets for table in sheet.tables for row in table.rows}
-    through, *branches = case
     for record in branches:
         for end in plate_ends(record.nodes[0], record):
             assert end.plate.mark in shown and end.plate.mark in rows
@@ -223,6 +227,81 @@ def test_everything_is_shown_and_nothing_overlaps(case, style):
     for plate in through.plates:
         if plate.face == "diaphragm":
             assert plate.mark in shown and plate.mark in rows
+
+
+def test_the_first_page_of_a_node_is_filled(case):
+    """What follows the views begins below them, and goes on on the next page when it must."""
+    sheet, *_ = node_sheets(case, SheetStyle("Hall"))
+    form = SheetStyle().page
+    drawn = [point[1] for view in sheet.views for line in view.on_page() for point in line.points]
+    drawn += [table.y - table.height for table in sheet.tables]
+    assert min(drawn) < form.clear_bottom + 0.3 * (form.top - form.clear_bottom)
+
+
+def test_diaphragms_tell_their_snipes_and_where_they_stand(crossing):
+    """Against closed forms: a box of 600 x 400 x 16, a branch of 360 x 300 x 12 at 60 degrees."""
+    sheets = node_sheets(crossing)
+    cells = {
+        row[0]: dict(zip(one.header, row, strict=True))
+        for sheet in sheets
+        for one in sheet.tables
+        if "snipes" in one.header
+        for row in one.rows
+    }
+    assert [cells[f"X-D{k}"]["snipes"] for k in (1, 2, 3, 4)] == ["–"] * 2 + ["4 × 30.0 × 30.0"] * 2
+    (hole,) = next(plate.holes for plate in crossing[0].plates if plate.mark == "X-D3")
+    assert [cells[f"X-D{k}"]["openings"] for k in (1, 3)] == ["–", hole.title]
+    places = {}
+    for sheet in sheets:
+        for one in (t for t in sheet.tables if "weld length" in t.header):
+            for mark, face, _, x, y, z in one.rows:
+                places[mark, face] = [float(x), float(y), float(z)]
+    # Flanges: mid-surface at half the height less half the thickness; wall to wall less 2 mm gap.
+    away = 182.0 / math.tan(math.radians(60.0))
+    for mark, up in (("X-D1", 174.0), ("X-D2", -174.0)):
+        assert places[mark, "left"] == pytest.approx([away, 182.0, up], abs=0.06)
+        assert places[mark, "right"] == pytest.approx([-away, -182.0, up], abs=0.06)
+    assert places["X-D3", "top"][2] == pytest.approx(282.0)
+    assert places["X-D3", "top"][0] == pytest.approx(
+        -144.0 / math.sin(math.radians(60.0)), abs=0.06
+    )
+
+
+@pytest.mark.parametrize("standard", ["ISO", "AWS"])
+def test_each_kind_of_weld_has_its_symbol_on_a_view_with_the_arrow_at_a_weld(crossing, standard):
+    style = SheetStyle("Hall", standard=standard)
+    sheet, *more = node_sheets(crossing, style)
+    letters = {row[5] for row in table([sheet, *more], "weld")}
+    tails = [text.text for text in sheet.texts]
+    # Flanges at 60 degrees to the walls leave a gap at the square edge, the webs none: two kinds.
+    assert sorted(letters) == ["A", "B", "C", "D"]
+    kinds = (("A", "branch"), ("B", "branch"), ("C", "diaphragm"), ("D", "diaphragm"))
+    for letter, name in kinds:
+        assert f"{letter} {name}" in tails
+    # Arrow heads, whose tip is the middle point, touch a cut or a side of a diaphragm.
+    tips = [line.points[1] for line in sheet.lines if _is_head(line)]
+    places = []
+    for view in sheet.views[:3]:
+        places += [np.array(line.points) for line in view.on_page() if line.style != "chain"]
+    near = [tip for tip in tips if min(_distance(tip, line) for line in places) < 0.6]
+    assert len(near) >= 3
+
+
+def _is_head(line) -> bool:
+    """A small arrow head: two wings of equal length that meet at a sharp angle."""
+    if len(line.points) != 3:
+        return False
+    a, b, c = (np.array(point) for point in line.points)
+    wings = np.hypot(*(a - b)), np.hypot(*(c - b))
+    return 1.5 < wings[0] < 2.6 and abs(wings[0] - wings[1]) < 1e-6 and np.hypot(*(a - c)) < 1.5
+
+
+def _distance(point, line) -> float:
+    """Distance of a point from a polyline (n, 2)."""
+    step = np.diff(line, axis=0)
+    long = np.maximum((step * step).sum(axis=1), 1e-12)
+    share = (((np.array(point) - line[:-1]) * step).sum(axis=1) / long).clip(0.0, 1.0)
+    return float(np.hypot(*(line[:-1] + share[:, None] * step - np.array(point)).T).min())
 
 
 def test_steps_are_held_against_the_rule():
@@ -293,3 +372,17 @@ def test_a_line_is_clipped_between_two_planes():
     runs, breaks = clipped(ring, np.zeros(3), np.array([1.0, 0, 0]), 9.0)
     assert len(runs) == 1 and not breaks and runs[0] == pytest.approx(ring)
     assert clipped(ring + (20.0, 0, 0), np.zeros(3), np.array([1.0, 0, 0]), 9.0) == ([], [])
+
+
+def test_an_edit_lays_out_anew_the_nodes_it_changes_only(monkeypatch):
+    members = [X, CROSSING[1], ("Z", (1500.0, -2500.0, 0.0), (1500.0, 2500.0, 0.0), SMALL)]
+    found = records(members)
+    laid = []
+    real = sheet_node.node_pages
+    monkeypatch.setattr(sheet_node, "node_pages", lambda *given: (laid.append(1), real(*given))[1])
+    style = SheetStyle("An edit")
+    before = node_sheets(found, style)
+    assert len(laid) == 2
+    changed = [*found[:2], replace(found[2])]
+    assert node_sheets(changed, style) == before
+    assert len(laid) == 3

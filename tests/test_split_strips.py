@@ -72,6 +72,46 @@ def test_places_are_found_on_the_strip_again(arch):
         assert strip.place_at(strip.across(s).mean(axis=0)) == pytest.approx(s, abs=1e-3)
 
 
+def test_lanes_of_a_face_are_strips_of_their_own_below_each_other():
+    """A flange in two lanes: two strips of half the width, as long as each other, no plate left
+    out; the rows of one face stand closer than those of two."""
+    import FreeCAD
+
+    from BendTorsionWB import make
+    from BendTorsionWB.gui.split_scene import by_lane, rows_of
+    from BendTorsionWB.objects import plate_set, unfold
+
+    document = FreeCAD.newDocument("lanes", hidden=True)
+    ground = make.make_surface(document, "Ground", "plane")
+    axis = make.make_axis(document, "A", ground, [(0, 0, 0), (9000, 0, 0)])
+    section = make.make_section(document, "S", h=800, b=3000, t=16)
+    member = make.make_member(document, "M", axis, [section])
+    lanes = {"top": [0.5]}
+    plates = make.make_plates(document, member, {"top": [3000, 6000]}, lanes=lanes)
+    laid = make.make_unfold(document, plates)
+    document.recompute()
+    record = unfold.member_record_of(laid)
+    made = plate_set.value(plates)
+    FreeCAD.closeDocument(document.Name)
+    own = {
+        face: [plate for plate in record.plates if plate.face == face] for face in ("top", "left")
+    }
+    letters = {item.plate.mark: item.plate.lane.letter for item in made.plates}
+    found = by_lane(own, letters)
+    assert list(found) == [("top", "a"), ("top", "b"), ("left", "")]
+    assert [len(plates) for plates in found.values()] == [3, 3, 1]
+    strips = {lane: face_strip(plates) for lane, plates in found.items()}
+    for letter in "ab":
+        strip = strips["top", letter]
+        assert np.hypot(*(strip.first - strip.second).T) == pytest.approx(0.5 * 2968.0, abs=20.0)
+        assert strip.first[-1, 0] - strip.first[0, 0] == pytest.approx(9000.0, abs=1e-3)
+    rows, _ = rows_of(strips)
+    bottom = [row.line(0.0).p2().y() for row in rows.values()]
+    top = [row.line(0.0).p1().y() for row in rows.values()]
+    spaces = [min(top[k + 1], bottom[k + 1]) - max(top[k], bottom[k]) for k in range(len(rows) - 1)]
+    assert 0.0 < spaces[0] < 0.5 * spaces[1]
+
+
 def margins(**changes):
     cuts = {"top": [0.0, 4000.0, 12000.0], "left": [0.0, 4150.0, 12000.0], "bottom": [0.0, 12000.0]}
     adjacent = {"top": ("left",), "left": ("top", "bottom"), "bottom": ("left",)}

@@ -6,13 +6,16 @@ import numpy as np
 import pytest
 from curved_members import ELLIPSOID, in_space, member, tapered
 
+from BendTorsionWB.core.axes.axis import fit_axis
+from BendTorsionWB.core.axes.frames import surface_frames
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.geometry.piecewise import Piecewise
 from BendTorsionWB.core.geometry.surface import analytic_surface
-from BendTorsionWB.core.members.strips import section_integrand, strip_rails
+from BendTorsionWB.core.members.member import Member
+from BendTorsionWB.core.members.strips import strip_rails
 from BendTorsionWB.core.members.thickness import ThicknessRules
-from BendTorsionWB.core.members.volume import skin_volume
-from BendTorsionWB.core.members.zones import Segment
+from BendTorsionWB.core.members.volume import section_integrals, skin_volume
+from BendTorsionWB.core.members.zones import Segment, section_law
 from BendTorsionWB.core.plates.plates import split_plates
 from BendTorsionWB.core.sections.section import box
 from BendTorsionWB.core.solids.solid_skins import plate_skin as _plate_skin
@@ -262,7 +265,7 @@ def test_volumes_of_strips_agree_with_the_skins_and_with_the_kernel(case):
     built = abrupt(**FOLDED[case])
     plates, _ = split_plates(built, {})
     for plate in plates:
-        by_section = section_integrand(built, plate.rails).integral()[0]
+        by_section = section_integrals(built, [plate.rails])[0, 0]
         assert plate.volume == pytest.approx(by_section, rel=1e-6)
         assert skin_volume(_plate_skin(plate)) == pytest.approx(plate.volume, rel=1e-6)
         solid = solid_of(plate)
@@ -304,7 +307,7 @@ def test_pappus_holds_on_a_bent_straight_box():
         area = 600 * 20 if plate.face in ("top", "bottom") else 560 * 20
         expected = area * angle * (radius - middle)
         assert plate.volume == pytest.approx(expected, rel=1e-6)
-        total = section_integrand(ring, plate.rails).integral()[1]
+        total = section_integrals(ring, [plate.rails])[0, 1]
         assert total == pytest.approx(area * ring.length, rel=1e-9)
 
 
@@ -320,6 +323,25 @@ def test_a_bend_sharper_than_the_section_is_refused():
         bent.check_bend()
     [finding] = caught.value.findings
     assert finding.code == "bend-sharper-than-section" and "s = " in finding.position
+
+
+def test_a_bend_far_shorter_than_its_cell_is_refused():
+    """A kink of 300 mm radius in 40 m, between places evenly spaced by 600 mm."""
+    plane = analytic_surface("plane", {})
+    angle = np.linspace(-0.4, 0.4, 9)
+    arc = 300.0 * np.column_stack([np.sin(angle), 1.0 - np.cos(angle)])
+    leg = np.linspace(20000.0, 150.0, 40)[:, None] * [np.cos(0.4), np.sin(0.4)]
+    legs = arc[0] + leg * [-1.0, 1.0], arc[-1] + 1.03 * leg[::-1]
+    flat = np.concatenate([legs[0], arc, legs[1]])
+    axis = fit_axis("A", np.column_stack([flat, 0.0 * flat[:, 0]]), plane)
+    law = section_law("M", [Segment(box("S", "box1", 800, 800, 20))], axis.length)
+    kinked = Member("M", surface_frames(axis, plane), law)
+    even = kinked.frames.at(np.linspace(0.0, axis.length, 65))
+    assert np.hypot(even.ky, even.kz).max() < 1.0 / 400.0
+    with pytest.raises(BendTorsionError) as caught:
+        kinked.check_bend()
+    [finding] = caught.value.findings
+    assert finding.code == "bend-sharper-than-section" and finding.value < 0.0
 
 
 def straight(t):

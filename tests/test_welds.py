@@ -97,8 +97,10 @@ def test_lanes_of_a_face_are_welded_to_each_other():
 
 def test_rows_that_apply_to_nothing_and_grooves_that_cannot_be_are_named():
     rows = (EdgeTreatment("XY", 0.0, 1e9, BUTT),)
-    _, _, findings = made(straight(), rows=rows)
-    assert [f.code for f in findings] == ["edge-row-unused"]
+    with pytest.raises(BendTorsionError) as caught:
+        made(straight(), rows=(EdgeTreatment("TL"), *rows))
+    (finding,) = caught.value.findings
+    assert (finding.code, finding.position) == ("edge-row-unused", "edge 2")
     deep = Prep("D", "v", math.radians(60), land=20.0)
     codes = {f.code for f in prep_findings(deep, 20.0, "M1")}
     assert codes == {"prep-land"}

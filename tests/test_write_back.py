@@ -244,6 +244,8 @@ OTHER_SETTINGS = {
     "sheet_language": "zh",
     "sheet_unit": "ft-in",
     "rule_pack": "EU",
+    "stock": "12000x2500; 16 S460 10000x2000",
+    "layer_names": "CUT_OUTER=10 MARK_TEXT=text of plates",
     "mode": "energy",
     "flattened_surface": "outer",
     "marking_face": "outside",
@@ -283,6 +285,7 @@ def test_every_setting_comes_back(tmp_path, sheets):
     back, again = project.read_jobs(tmp_path / "back.xlsx")
     assert back.settings.sheet_style == given.settings.sheet_style
     assert back.settings.site == given.settings.site
+    assert back.settings.layer_names == OTHER_SETTINGS["layer_names"]
     assert {name: content_hash(job) for name, job in again.items()} == {
         name: content_hash(job) for name, job in jobs.items()
     }

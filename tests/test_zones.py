@@ -237,6 +237,8 @@ def test_all_faults_are_told_at_once():
         ({"h": 0}, "section-size"),
         ({"b": -800}, "section-size"),
         ({"h": np.nan}, "section-size"),
+        ({"t_top": 1e-320}, "section-size"),
+        ({"t_web": 0.02}, "section-size"),
         ({"t_top": 400}, "plate-too-thick"),
         ({"t_web": 401}, "plate-too-thick"),
         ({"gap1": -1}, "section-gap"),

@@ -80,8 +80,43 @@ class Colouring:
     legend: tuple[tuple[str, Colour], ...]
 
 
-def colouring(plates: Sequence[DevelopedPlate], by: str) -> Colouring:
-    """The plates coloured by one of COLOUR_BY; plates without the figure are grey."""
+_FIGURES = {
+    "strain": (lambda plate: plate.strain_max, lambda value: strain_text(value)),
+    "length error": (lambda plate: plate.length_error_max, lambda value: f"{value:.4f} mm"),
+    "thickness": (lambda plate: plate.thickness, lambda value: f"{value:g} mm"),
+    "deviation": (
+        lambda plate: _formed(plate, "flat_deviation"),
+        lambda value: f"{value:.1f} mm",
+    ),
+    "curvature": (
+        lambda plate: 1e3 / plate.bending_radius_min,
+        lambda value: f"{value:.4f} 1/m",
+    ),
+    "twist": (
+        lambda plate: math.degrees(1e3 * _formed(plate, "twist_max")),
+        lambda value: f"{value:.3f} °/m",
+    ),
+}
+"""By COLOUR_BY: the figure of a plate, and how it is written; classes are no figures."""
+
+
+def limits(plates: Sequence[DevelopedPlate], by: str) -> tuple[float, float] | None:
+    """The least and the largest value of a scale for some plates; None where there is no figure.
+    All but thicknesses count from 0."""
+    if by not in _FIGURES:
+        return None
+    values = [_FIGURES[by][0](plate) for plate in plates]
+    known = [value for value in values if math.isfinite(value)]
+    if not known:
+        return None
+    return (min(known) if by == "thickness" else 0.0), max(known)
+
+
+def colouring(
+    plates: Sequence[DevelopedPlate], by: str, between: tuple[float, float] | None = None
+) -> Colouring:
+    """The plates coloured by one of COLOUR_BY; plates without the figure are grey. between: least
+    and largest value of the scale, those of the plates themselves when left out."""
     if by == "none" or not plates:
         return Colouring((), ())
     if by == "forming":
@@ -91,28 +126,15 @@ def colouring(plates: Sequence[DevelopedPlate], by: str) -> Colouring:
             tuple(CLASS_COLOURS.get(name, UNKNOWN) for name in classes),
             tuple((name, CLASS_COLOURS[name]) for name in present),
         )
-    figure, written = {
-        "strain": (lambda plate: plate.strain_max, strain_text),
-        "length error": (lambda plate: plate.length_error_max, lambda value: f"{value:.4f} mm"),
-        "thickness": (lambda plate: plate.thickness, lambda value: f"{value:g} mm"),
-        "deviation": (_formed("flat_deviation"), lambda value: f"{value:.1f} mm"),
-        "curvature": (
-            lambda plate: 1e3 / plate.bending_radius_min,
-            lambda value: f"{value:.4f} 1/m",
-        ),
-        "twist": (
-            lambda plate: math.degrees(1e3 * _formed("twist_max")(plate)),
-            lambda value: f"{value:.3f} °/m",
-        ),
-    }[by]
+    figure, written = _FIGURES[by]
     values = np.array([figure(plate) for plate in plates], float)
     known = np.isfinite(values)
-    if not known.any():
+    between = between or limits(plates, by)
+    if not known.any() or between is None:
         return Colouring((UNKNOWN,) * len(plates), ())
-    low = float(values[known].min()) if by == "thickness" else 0.0
-    scale = ColourScale(low, float(values[known].max()))
+    scale = ColourScale(*between)
     steps = np.unique(values[known]) if by == "thickness" else scale.ticks()
-    painted = scale.colours(np.where(known, values, low))
+    painted = scale.colours(np.where(known, values, scale.low))
     return Colouring(
         tuple(
             _plain(colour) if is_known else UNKNOWN
@@ -131,11 +153,9 @@ def face_colour(letter: str) -> Colour:
     return FACE_COLOURS.get(letter) or palette[sum(map(ord, letter)) % len(palette)]
 
 
-def _formed(figure: str):
+def _formed(plate: DevelopedPlate, figure: str) -> float:
     """A figure of how a plate is formed; flat parts have none."""
-    return lambda plate: (
-        math.nan if plate.forming_data is None else float(getattr(plate.forming_data, figure))
-    )
+    return math.nan if plate.forming_data is None else float(getattr(plate.forming_data, figure))
 
 
 def strain_text(strain: float) -> str:

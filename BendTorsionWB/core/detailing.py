@@ -43,11 +43,15 @@ from .plates.plate_parts import with_parts
 from .plates.plates import JointRules, split_plates
 from .solids.cut_skin import cut_skin_area
 from .solids.mass import PlateFigures, net_figures, plate_figures, skin_area
-from .solids.member_figures import beyond_stock, torsion_error, wireframe
+from .solids.member_figures import beyond_stock, torsion_error, wireframe, with_stock
 from .solids.solid_skins import corner_tubes, in_ring_order, skins_and_volumes
 from .stages import MemberGeometry, MemberInput, MemberPlates, PlateGeometry, PlatesInput, Skins
+from .welds.backing_clash import backing_clashes
+from .welds.bevel_limit import bevels_beyond
 from .welds.bevels import with_bevels
-from .welds.welds import welds_of
+from .welds.root_gaps import joint_gaps, seam_gaps, with_root_gaps
+from .welds.seam_corners import seam_corners
+from .welds.welds import EdgeTreatment, welds_of
 
 
 @memoised
@@ -130,16 +134,18 @@ def _noded(geometry: MemberGeometry, nodes: MemberNodes) -> MemberGeometry:
 @memoised
 def plates_of(geometry: MemberGeometry, given: PlatesInput) -> MemberPlates:
     """Plates with the skins of their solids; raises BendTorsionError for joints that cannot be."""
-    geometry = in_pieces(geometry, given)
+    rules = given.rules and given.rules.within_stock(geometry.member.law.plate_kinds)
+    geometry = rooted(in_pieces(geometry, given), given.edges)
     plates, findings = split_plates(
         geometry.member,
         given.joints,
         given.station_spacing,
-        given.rules,
+        rules,
         given.lanes,
         given.keep_outs(
             geometry.member.length, [piece.end for piece in geometry.member.pieces[:-1]]
         ),
+        joint_gaps(given.edges),
     )
     plates, flat = with_parts(
         geometry.member, plates, given.diaphragms, given.openings, given.marks
@@ -165,6 +171,17 @@ def _in_pieces(
     geometry: MemberGeometry, pieces: tuple[PieceInput, ...], rules: JointRules | None
 ) -> MemberGeometry:
     member, findings = with_pieces(geometry.member, pieces, rules)
+    return replace(geometry, member=member, findings=(*geometry.findings, *findings))
+
+
+def rooted(geometry: MemberGeometry, rows: tuple[EdgeTreatment, ...]) -> MemberGeometry:
+    """A member with the root gaps of its rows of edges; raises BendTorsionError for `edge k`."""
+    return _rooted(geometry, rows) if any(row.prep and row.prep.gap for row in rows) else geometry
+
+
+@memoised
+def _rooted(geometry: MemberGeometry, rows: tuple[EdgeTreatment, ...]) -> MemberGeometry:
+    member, findings = with_root_gaps(geometry.member, rows)
     return replace(geometry, member=member, findings=(*geometry.findings, *findings))
 
 
@@ -226,17 +243,21 @@ def record_of(plates: MemberPlates, given: PatternInput = PLAIN) -> MemberRecord
                 )
             )
         findings += beyond_stock(plate, plates.given.rules)
-    rows = [row.on(member.length) for row in plates.given.edges]
+    developed = tuple(with_stock(plate, plates.given.rules) for plate in developed)
     welds, weld_findings = welds_of(
         member.name,
         developed,
         member.law.strips,
-        rows,
+        [row.on(member.length) for row in plates.given.edges],
         plates.given.welds,
         {node.node for node in member.node_records if node.type == "stub"},
+        seam_gaps(member.law),
+        seam_corners(member.law),
     )
-    findings += weld_findings
     developed = with_bevels(developed, welds, plates.given.welds.bevel_step, given.contour)
+    faces = {plate.mark: plate.face for plate in developed}
+    clashes = backing_clashes(member.name, member.length, welds, faces, plates.given.diaphragms)
+    beyond = bevels_beyond(developed, plates.given.welds.largest_bevel)
     sections = []
     for section in member.law.sections:
         if not sections or sections[-1] != section.title:
@@ -254,7 +275,7 @@ def record_of(plates: MemberPlates, given: PatternInput = PLAIN) -> MemberRecord
         total_torsion=float(theta[-1]),
         plates=developed,
         wireframe=wireframe(member) | {f.mark: f.ring for f in plates.flat},
-        findings=tuple(findings),
+        findings=(*findings, *weld_findings, *clashes, *beyond),
         zones=zone_records(member.law),
         centre_of_gravity=figures.centre_of_gravity,
         painted_area=painted_area(geometry),

@@ -3,10 +3,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass
 
 SEVERITIES = ("error", "warning", "note")
+
+BETWEEN = ", "
+"""Stands between the names of a finding about several objects."""
 
 
 @dataclass(frozen=True)
@@ -14,7 +17,8 @@ class Finding:
     """One check result, the same on objects, sheets, workbook, report and console.
 
     severity: `error`, `warning` or `note`. code: short name, kebab-case. object: the member,
-    plate, axis or file concerned. position: where (arc length, row and column). value and limit
+    plate, axis or file concerned; several, such as members that meet, with a comma and a space
+    between. position: where (arc length, row and column). value and limit
     are in `unit` (empty when the finding is not a measurement). mend: what puts it right.
     """
 
@@ -32,15 +36,21 @@ class Finding:
         if self.severity not in SEVERITIES:
             raise ValueError(f"severity {self.severity!r} is not one of {SEVERITIES}")
 
-    def line(self) -> str:
-        """The finding as one line for a console or a status bar."""
+    @property
+    def objects(self) -> tuple[str, ...]:
+        """The names of all objects concerned."""
+        return tuple(self.object.split(BETWEEN))
+
+    def line(self, length: Callable[[float], str] | None = None) -> str:
+        """The finding as one line for a console or a status bar. length: writes a length, mm, in
+        the unit of the sheets; mm stand beside it then."""
         place = ", ".join(part for part in (self.object, self.position) if part)
         text = f"{self.severity}: {place}: {self.message}"
         figures = []
         if self.value not in (None, ""):
-            figures.append(f"value {_figure(self.value, self.unit)}")
+            figures.append(f"value {figure_text(self.value, self.unit, length)}")
         if self.limit not in (None, ""):
-            figures.append(f"limit {_figure(self.limit, self.unit)}")
+            figures.append(f"limit {figure_text(self.limit, self.unit, length)}")
         if figures:
             text += f" ({', '.join(figures)})"
         if self.mend:
@@ -52,9 +62,13 @@ class Finding:
         return asdict(self)
 
 
-def _figure(value: float | str, unit: str) -> str:
+def figure_text(value: float | str, unit: str, length: Callable[[float], str] | None = None) -> str:
+    """A value or a limit with its unit; length: as of `Finding.line`."""
     text = f"{value:.6g}" if isinstance(value, float) else str(value)
-    return f"{text} {unit}".rstrip()
+    text = f"{text} {unit}".rstrip()
+    if length is None or unit != "mm" or isinstance(value, str):
+        return text
+    return f"{length(float(value))} ({text})"
 
 
 def error(code: str, object: str, message: str, mend: str = "", **fields) -> Finding:

@@ -7,6 +7,8 @@ chord between the midpoints of the end lines, the corner of the bounding box at 
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -171,11 +173,21 @@ class EndPart:
 
 @dataclass(frozen=True, eq=False)
 class WeldedSide:
-    """A side of a flat part that is welded to the wall of a face: length mm, middle (3,)."""
+    """A side of a flat part that is welded to the wall of a face: length mm, middle (3,). how:
+    `walls`, from both sides; `slot`, through slots in the wall; `end`, round the end of the
+    section, with `room` mm beside the wall; `open`, not at all, too far from it. gap: mm to the
+    wall, where the edge is cut square along its wider face. slot: length and breadth, mm, of each
+    of its slots. dihedral: rad, the smaller of the two angles between part and wall, where it is
+    least."""
 
     face: str
     length: float
     middle: np.ndarray
+    how: str = "walls"
+    gap: float = 0.0
+    room: float = 0.0
+    slot: tuple[float, float] | None = None
+    dihedral: float = 0.5 * math.pi
 
 
 @dataclass(frozen=True, eq=False)
@@ -237,7 +249,8 @@ class DevelopedPlate:
     chamfers: at the start and the end, machined after cutting; the pattern knows nothing of them.
     Flat parts have no lines, panels and errors. bevels: of its sides; contour: the face that cut
     files draw (`bevels.CONTOURS`). ends: the stretches of its cut ends at the start and the end;
-    welded: sides of a flat part that are welded to walls.
+    welded: sides of a flat part that are welded to walls. stock: length and width, mm, of the sheet
+    it is cut from, where the schedule gives any.
     """
 
     member: str
@@ -251,8 +264,8 @@ class DevelopedPlate:
     outline: tuple[np.ndarray, ...]
     lines: tuple[StationLine, ...]
     folds: tuple[FoldLine, ...]
-    points: tuple[LoftingPoint, ...]
-    panels: tuple[PanelMeasure, ...]
+    points: Sequence[LoftingPoint]
+    panels: Sequence[PanelMeasure]
     length: float
     width: float
     area: float
@@ -285,6 +298,7 @@ class DevelopedPlate:
     bevels: tuple[EdgeBevel, ...] = ()
     contour: str = "mid"
     flattened_surface: str = "mid"
+    stock: tuple[float, float] | None = None
 
     @property
     def contour_face(self) -> str:

@@ -88,6 +88,13 @@ def forget_all() -> None:
         one.clear()
 
 
+def stamped(value):
+    """The value, to be told from now on by the hash of its content, which is not taken again."""
+    if not made_from(value):
+        object.__setattr__(value, "_made_from", content_hash(value))
+    return value
+
+
 def made_from(value) -> str:
     """The content hash a memoised result carries; empty for what was made otherwise."""
     return getattr(value, "_made_from", "")

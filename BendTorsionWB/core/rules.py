@@ -10,6 +10,7 @@ from functools import cache
 from pathlib import Path
 
 from .finding import BendTorsionError, error
+from .joints.stock import StockSheet
 from .members.thickness import ThicknessRules
 from .nodes.node_input import NodeRules
 from .patterns.forming import FormingRules
@@ -77,8 +78,8 @@ def rule(pack: str, name: str) -> Rule:
         ) from problem
 
 
-def joint_rules(pack: str) -> JointRules:
-    """The limits joints are checked by and solved for."""
+def joint_rules(pack: str, stock: tuple[StockSheet, ...] = ()) -> JointRules:
+    """The limits joints are checked by and solved for; stock: instead of the pack's."""
     return JointRules(
         stagger=rule(pack, "joint_stagger").value,
         shortest_piece=rule(pack, "shortest_piece").value,
@@ -89,6 +90,7 @@ def joint_rules(pack: str) -> JointRules:
         node_clearance=rule(pack, "node_clearance").value,
         piece_end_clearance=rule(pack, "piece_end_clearance").value,
         narrowest_lane=rule(pack, "longitudinal_strip").value,
+        stock=stock,
     )
 
 
@@ -124,6 +126,11 @@ def weld_defaults(pack: str) -> WeldDefaults:
         bevel_step=math.radians(value("bevel_step")),
         branch=branch,
         leg=value("diaphragm_leg"),
+        fillet_least_angle=math.radians(value("fillet_least_angle")),
+        largest_bevel=math.radians(value("largest_bevel")),
+        widest_leg=value("fillet_leg"),
+        widest_gap=value("widest_root_gap"),
+        gap_over_thickness=value("root_gap_over_thickness"),
     )
 
 
@@ -166,6 +173,10 @@ def node_rules(pack: str) -> NodeRules:
                 "same",
                 "flange_step",
                 "gap",
+                "widest_gap",
+                "gap_over_thickness",
+                "manhole",
+                "manhole_edge",
                 "snipe",
                 "wall_gap",
                 "access",

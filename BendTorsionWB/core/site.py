@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .finding import Finding, warning
+
 UNITS = {"mm": 1.0, "m": 0.001}
 """Site units written to lists, per millimetre."""
 
@@ -32,3 +34,31 @@ class SiteDatum:
 
 AT_ORIGIN = SiteDatum()
 """The model where it is."""
+
+
+def datum_findings(site: SiteDatum) -> tuple[Finding, ...]:
+    """A warning for each value of a datum shown in metres that looks as if it were written in
+    metres: with a part of a millimetre, or a place less than a metre from the site's origin."""
+    if site.unit != "m":
+        return ()
+    found = []
+    for name, value in (("site_x", site.x), ("site_y", site.y), ("site_z", site.z)):
+        fraction = abs(value - round(value)) > _WHOLE
+        if fraction or (name != "site_z" and 0.0 < abs(value) < 1000.0):
+            found.append(
+                warning(
+                    "site-unit",
+                    "Settings",
+                    f"{name} is read in mm: {value:.12g} mm is {value * UNITS['m']:.6f} m on the "
+                    "site; site_unit is the unit of lists and sheets alone",
+                    f"if it is in metres write {value / UNITS['m']:.12g}, in mm",
+                    position=name,
+                    value=value,
+                    unit="mm",
+                )
+            )
+    return tuple(found)
+
+
+_WHOLE = 1e-6
+"""mm; values nearer than this to a whole number have no fraction."""

@@ -28,11 +28,17 @@ STATION_AT_FOLD = 10.0
 FACES_FLUSH = 1e-6
 """Faces of two segments that differ by less than this are flush: no transition, no fold."""
 
+RAILS_RESOLVED = 1e-4
+"""Rails of plates are interpolated to this between their breaks, and most far better."""
+
 SKIN_CORNER = 0.001
 """Corners of a skin between its stations; stations are doubled until they agree to this."""
 
 VOLUME_RELATIVE = 1e-6
 """Largest relative difference between a solid's volume and the section integral."""
+
+SMALLEST_SIZE = 0.1
+"""A height, breadth or thickness of a section below this is an error, mm."""
 
 NARROWEST_STRIP = 10.0
 """A plate strip narrower than this between its neighbours is an error, mm."""

@@ -20,6 +20,8 @@ BEVELS = (
         Column(name, TENTH, 13)
         for name in ("angle_outer", "depth_outer", "angle_inner", "depth_inner", "land", "natural")
     ),
+    *(Column(name, TENTH, 15) for name in ("chamfer_slope", "chamfer_length", "chamfer_depth")),
+    Column("chamfer_face", TEXT, 13),
     Column("prep", TEXT, 14),
     Column("weld", TEXT, 24),
 )
@@ -46,6 +48,7 @@ def bevel_tables(records: Sequence[MemberRecord]) -> tuple[Table, ...]:
 
 def _bevel(plate, bevel) -> tuple:
     (outer, outer_depth), (inner, inner_depth) = bevel.outer, bevel.inner
+    chamfer = bevel.chamfer
     return (
         plate.mark,
         bevel.side,
@@ -56,8 +59,13 @@ def _bevel(plate, bevel) -> tuple:
         outer_depth or None,
         math.degrees(inner) if inner_depth else None,
         inner_depth or None,
-        plate.thickness - outer_depth - inner_depth,
+        bevel.land(plate.thickness),
         math.degrees(bevel.natural),
+        *(
+            (chamfer.slope, chamfer.length, chamfer.depth, chamfer.faces)
+            if chamfer
+            else (None,) * 4
+        ),
         bevel.prep,
         bevel.weld,
     )

@@ -29,6 +29,7 @@ CUTTING = (
     Column("opposite_hand", TEXT, 14),
     Column("marks", TEXT, 40),
     Column("dxf", TEXT, 22),
+    *(Column(f"stock_{what}", TENTH, 13) for what in ("length", "width")),
 )
 TOTALS = (
     Column("thickness", TENTH, 10),
@@ -73,14 +74,22 @@ def nesting_csv(records: Sequence[MemberRecord]) -> bytes:
                 f"{gross.width:.1f}",
                 f"{gross.mass:.2f}",
                 " ".join(plate.mark for plate in plates),
+                *(f"{size:g}" for size in one.stock or ()),
             )
         )
+    if any(len(row) > len(NESTING) for row in rows):
+        rows = [
+            NESTING + NESTING_STOCK,
+            *(row + ("",) * (len(NESTING + NESTING_STOCK) - len(row)) for row in rows[1:]),
+        ]
     return csv_bytes(rows)
 
 
 NESTING = ("part", "thickness", "material", "quantity", "dxf", "rolling_direction")
 NESTING += ("length", "width", "mass", "marks")
 """Headings of the nesting list; mm, kg of one."""
+NESTING_STOCK = ("stock_length", "stock_width")
+"""More of them where the schedule gives stock."""
 
 
 def _parts(records: Sequence[MemberRecord]) -> list[list[DevelopedPlate]]:
@@ -112,6 +121,7 @@ def _row(plates: list[DevelopedPlate]) -> tuple:
         one.opposite_hand,
         " ".join(plate.mark for plate in plates),
         dxf_name(one.mark),
+        *(one.stock or (None, None)),
     )
 
 

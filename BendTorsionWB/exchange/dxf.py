@@ -24,6 +24,7 @@ from .dxf_file import Layer, Space, dxf_bytes
 from .dxf_inner import add_face_marks, add_face_texts, add_holes, clear_fields
 from .dxf_labels import CHARACTER_WIDTH, SMALLEST_TEXT
 from .dxf_text import LINE_PITCH, Pattern
+from .plate_fields import centre_of, field_size, longest, panels
 from .plate_words import identity
 from .whole_file import write_whole
 
@@ -105,14 +106,15 @@ def draw_plate(
     """The entities of a plate as it is cut, its outline fitted by arcs (m, 3)."""
     drawn = Pattern(Space())
     drawn.arcs(outline, names[CUT_OUTER])
+    drawn.room.stay_inside(outline)
     add_holes(drawn, plate, names[CUT_INNER], tolerance)
     lines = _add_lines(drawn, plate, names)
     rolls = _add_roll_lines(drawn, plate, names[MARK_ROLL])
     _add_points(drawn.space, plate, names)
     add_face_marks(drawn, plate, names[MARK_LINE], names[PUNCH], tolerance)
     # Texts last, the large ones first: each takes what room the lines and other texts leave.
-    centre, layer = _centre(plate), names[MARK_TEXT]
-    fields = _longest(clear_fields(plate, _panels(plate)))
+    centre, layer = centre_of(plate), names[MARK_TEXT]
+    fields = longest(clear_fields(plate, panels(plate)))
     height = _text_height(plate, fields)
     if fields:
         _add_identity(drawn, plate, fields, layer, height)
@@ -240,42 +242,6 @@ def _add_flat_identity(drawn: Pattern, plate: DevelopedPlate, layer: str) -> Non
     drawn.block(rows, wide, height, np.array([1.0, 0.0]), [field], layer)
 
 
-def _panels(plate: DevelopedPlate) -> list[tuple[np.ndarray, np.ndarray]]:
-    """The fields between consecutive lines and folds along +s, as pairs of (2, 2) lines."""
-    marks = sorted((*plate.lines, *plate.folds), key=lambda mark: mark.s)
-    fields = []
-    for a, b in zip(marks[:-1], marks[1:]):
-        if np.hypot(*(b.flat.mean(axis=0) - a.flat.mean(axis=0))) > _SAME_PLACE:
-            fields.append((a.flat, b.flat))
-    return fields
-
-
-def _centre(plate: DevelopedPlate) -> np.ndarray:
-    """A point amid the pattern: between the middles of the lines or folds before and behind half
-    way along +s."""
-    marks = sorted((*plate.lines, *plate.folds), key=lambda mark: mark.s)
-    if not marks:
-        return np.zeros(2)
-    half = 0.5 * (plate.s_start + plate.s_end)
-    before = [mark for mark in marks if mark.s < half] or marks[:1]
-    behind = [mark for mark in marks if mark.s >= half] or marks[-1:]
-    return 0.5 * (before[-1].flat.mean(axis=0) + behind[0].flat.mean(axis=0))
-
-
-def _field_size(panel: tuple[np.ndarray, np.ndarray]) -> tuple[float, float]:
-    """Length along the member and smaller width of a field, mm."""
-    a, b = panel
-    length = np.hypot(*(b.mean(axis=0) - a.mean(axis=0)))
-    return float(length), float(min(np.hypot(*(a[1] - a[0])), np.hypot(*(b[1] - b[0]))))
-
-
-def _longest(panels: list[tuple[np.ndarray, np.ndarray]]) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Up to three long panels, first those in order whose lengths differ in their last bits."""
-    lengths = [_field_size(panel)[0] for panel in panels]
-    order = sorted(range(len(panels)), key=lambda k: (round(max(lengths) - lengths[k]), k))
-    return [panels[k] for k in order[:3]]
-
-
 def _text_height(plate: DevelopedPlate, fields: list[tuple[np.ndarray, np.ndarray]]) -> float:
     """Height at which the identity fits into the first of the fields, mm."""
     if not fields:
@@ -286,7 +252,7 @@ def _text_height(plate: DevelopedPlate, fields: list[tuple[np.ndarray, np.ndarra
 
 def _text_fit(panel: tuple[np.ndarray, np.ndarray], rows: tuple[str, ...]) -> tuple[float, bool]:
     """Height, mm, at which rows and arrow fit into the field, and whether they read along +s."""
-    length, width = _field_size(panel)
+    length, width = field_size(panel)
     text_length = max(8, *map(len, rows)) * CHARACTER_WIDTH
     text_depth = (len(rows) + 1) * LINE_PITCH
     along = min(TEXT_HEIGHT, 0.8 * length / text_length, 0.6 * width / text_depth)

@@ -18,11 +18,33 @@ _INSET = 12.0
 
 def bevel_text(bevel: EdgeBevel, marking_face: str, thickness: float) -> str:
     """Such as `40.0 deg up land 6`: cut back by 40 degrees at the marking face (`down`: at the
-    other), 6 mm left as they are; `45.0/45.0 deg up/down land 2` for both faces."""
-    inside = marking_face == "inside"
+    other), 6 mm left as they are; `45.0/45.0 deg up/down land 2` for both faces; `30.0 deg down
+    land 2, chamfer 1:4 16x4 up` with a chamfer 16 mm long and 4 mm deep at the marking face."""
+    groove, chamfer = _groove(bevel, marking_face, thickness), chamfer_text(bevel, marking_face)
+    return ", ".join(filter(None, (groove, chamfer)))
+
+
+def chamfer_text(bevel: EdgeBevel, marking_face: str) -> str:
+    """Such as `chamfer 1:4 16x4 up`: slope, length and depth, face; empty without a chamfer."""
+    chamfer = bevel.chamfer
+    if chamfer is None:
+        return ""
+    ways = {"both": "up/down", _face_above(marking_face): "up"}.get(chamfer.faces, "down")
+    size = f"{round(chamfer.length, 1):g}x{round(chamfer.depth, 1):g}"
+    return f"chamfer 1:{round(chamfer.slope, 1):g} {size} {ways}"
+
+
+def _face_above(marking_face: str) -> str:
+    return "inner" if marking_face == "inside" else "outer"
+
+
+def _groove(bevel: EdgeBevel, marking_face: str, thickness: float) -> str:
+    inside = _face_above(marking_face) == "inner"
     up, down = (bevel.inner, bevel.outer) if inside else (bevel.outer, bevel.inner)
-    land = thickness - up[1] - down[1]
+    land = bevel.land(thickness)
     if not up[1] and not down[1]:
+        if not bevel.natural and bevel.chamfer:
+            return ""
         tilt = bevel.natural if inside else -bevel.natural
         return f"{_degrees(abs(tilt))} deg {'up' if tilt > 0.0 else 'down'}"
     given = [(way, one[0]) for way, one in (("up", up), ("down", down)) if one[1]]
@@ -46,17 +68,27 @@ def add_bevel_texts(
 ) -> None:
     """The texts, each along its stretch of the edge, half the height of other marks."""
     for bevel in plate.bevels:
-        ends = _place(plate, bevel)
-        way = ends[1] - ends[0]
-        reach = float(np.hypot(*way))
-        if reach < 1.0:
-            continue
-        way = way / reach
-        inward = np.array([-way[1], way[0]])
-        if float(((centre - ends[0]) * inward).sum()) < 0.0:
-            inward = -inward
         text = bevel_text(bevel, plate.marking_face, plate.thickness)
-        drawn.text(text, _boxes(len(text), ends[0], way, reach, inward, 0.5 * height), layer)
+        boxes = beside_edge(text, plate, bevel, centre, 0.5 * height)
+        if boxes is not None:
+            drawn.text(text, boxes, layer)
+
+
+def beside_edge(
+    text: str, plate: DevelopedPlate, bevel: EdgeBevel, centre, height: float
+) -> Boxes | None:
+    """Places of a text beside the stretch of a bevel, on the side of `centre`; None beside one
+    shorter than 1 mm."""
+    ends = _place(plate, bevel)
+    way = ends[1] - ends[0]
+    reach = float(np.hypot(*way))
+    if reach < 1.0:
+        return None
+    way = way / reach
+    inward = np.array([-way[1], way[0]])
+    if float(((centre - ends[0]) * inward).sum()) < 0.0:
+        inward = -inward
+    return _boxes(len(text), ends[0], way, reach, inward, height)
 
 
 _STEPS = np.array([0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9])

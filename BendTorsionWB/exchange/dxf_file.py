@@ -86,14 +86,17 @@ def dxf_bytes(
     corners: np.ndarray,
     model: Space,
     blocks: Mapping[str, Space] | None = None,
+    frame: Frame | None = None,
 ) -> bytes:
     """The file: DXF R2010, mm, without time stamps and unique identifiers.
 
-    layers: of the file; corners (n, 2): of what is drawn, the view shows them all.
+    layers: of the file; corners (n, 2): of what is drawn, the view shows them all; frame: of these
+    layers and blocks, where it was made before.
     """
     blocks = blocks or {}
     names = tuple(blocks)
-    frame = _frame(tuple(layers), ()) if not names else _new_frame(tuple(layers), names)
+    if frame is None:
+        frame = new_frame(tuple(layers), names) if names else _frame(tuple(layers), ())
     text, handle = _with_entities(frame, [model, *blocks.values()])
     for stand_in, value in _view(np.asarray(corners, float)):
         text = text.replace(f"\n{stand_in}\n", f"\n{value}\n")
@@ -138,7 +141,7 @@ def _view(corners: np.ndarray) -> Iterable[tuple[float, float]]:
 
 
 @dataclass(frozen=True)
-class _Frame:
+class Frame:
     """The text of a file in parts, entities belong between them; owners: of each gap, the handle
     of its block; order: number of the space of each gap; free: the first handle not in use."""
 
@@ -148,7 +151,7 @@ class _Frame:
     free: int
 
 
-def _with_entities(frame: _Frame, spaces: Sequence[Space]) -> tuple[str, int]:
+def _with_entities(frame: Frame, spaces: Sequence[Space]) -> tuple[str, int]:
     text, handle = [frame.parts[0]], frame.free
     for part, owner, number in zip(frame.parts[1:], frame.owners, frame.order, strict=True):
         for kind, layer, body in spaces[number].entities:
@@ -161,12 +164,13 @@ def _with_entities(frame: _Frame, spaces: Sequence[Space]) -> tuple[str, int]:
 
 
 @lru_cache(maxsize=8)
-def _frame(layers: tuple[Layer, ...], names: tuple[str, ...]) -> _Frame:
-    return _new_frame(layers, names)
+def _frame(layers: tuple[Layer, ...], names: tuple[str, ...]) -> Frame:
+    return new_frame(layers, names)
 
 
-def _new_frame(layers: tuple[Layer, ...], names: tuple[str, ...]) -> _Frame:
-    """Written by ezdxf with a point in the model and in every block where entities belong."""
+def new_frame(layers: tuple[Layer, ...], names: tuple[str, ...]) -> Frame:
+    """The frame of a file with these layers and blocks: written by ezdxf with a point in the model
+    and in every block where entities belong."""
     document = ezdxf.new("R2010")
     header = document.header
     header["$INSUNITS"] = 4
@@ -188,7 +192,7 @@ def _new_frame(layers: tuple[Layer, ...], names: tuple[str, ...]) -> _Frame:
     found = list(_PLACES.finditer(text))
     ends = [0, *(match.end() for match in found)]
     starts = [*(match.start() for match in found), len(text)]
-    return _Frame(
+    return Frame(
         tuple(text[a:b] for a, b in zip(ends, starts, strict=True)),
         tuple(match[2] for match in found),
         tuple(numbers[match[1]] for match in found),

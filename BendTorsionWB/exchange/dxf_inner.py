@@ -15,7 +15,9 @@ from .dxf_text import Pattern
 def add_holes(drawn: Pattern, plate: DevelopedPlate, layer: str, tolerance: float) -> None:
     """The openings, one closed polyline each."""
     for hole in plate.holes:
-        drawn.arcs(hole_contour(hole, tolerance), layer)
+        contour = hole_contour(hole, tolerance)
+        drawn.space.add_polyline(contour, layer)
+        drawn.room.add_hole(contour)
 
 
 def clear_fields(plate: DevelopedPlate, fields: list) -> list:
@@ -51,10 +53,14 @@ def add_face_texts(
             ends = np.array([first, last])
             drawn.line_text(mark.text, ends, centre, 0.6 * height, layer, 0.35)
         elif mark.kind == "text":
-            reading = (last - first) / np.hypot(*(last - first))
-            wide = len(mark.text) * CHARACTER_WIDTH * height
-            up = np.array([-reading[1], reading[0]])
-            corner = first - 0.5 * wide * reading - 0.5 * height * up
-            sizes = np.array([height])
-            place = Boxes(corner[None], reading[None], np.array([wide]), sizes, sizes)
-            drawn.text(mark.text, place, layer)
+            drawn.text(mark.text, about(mark.text, first, last, height), layer)
+
+
+def about(text: str, place: np.ndarray, towards: np.ndarray, height: float) -> Boxes:
+    """The one box of a text with its middle at a place, reading towards another."""
+    reading = (towards - place) / np.hypot(*(towards - place))
+    wide = len(text) * CHARACTER_WIDTH * height
+    up = np.array([-reading[1], reading[0]])
+    corner = place - 0.5 * wide * reading - 0.5 * height * up
+    sizes = np.array([height])
+    return Boxes(corner[None], reading[None], np.array([wide]), sizes, sizes)

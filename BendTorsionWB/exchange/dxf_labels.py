@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..core.geometry.arc_contour import runs
+from ..core.geometry.arc_contour import inside, polygon, runs
 
 SMALLEST_TEXT = 2.5  # mm; below this no plotter marks legibly
 CHARACTER_WIDTH = 1.0  # width over height of a letter, on the safe side
@@ -36,6 +36,23 @@ class Boxes:
     heights: np.ndarray
     text: np.ndarray
 
+    def those(self, which: np.ndarray) -> Boxes:
+        """The boxes chosen by an index or a mask."""
+        return Boxes(
+            self.corners[which],
+            self.reading[which],
+            self.widths[which],
+            self.heights[which],
+            self.text[which],
+        )
+
+    def all_corners(self) -> np.ndarray:
+        """(k, 4, 2)"""
+        right = self.widths[:, None] * self.reading
+        top = self.heights[:, None] * self.up
+        low = self.corners
+        return np.stack([low, low + right, low + right + top, low + top], axis=1)
+
     @property
     def up(self) -> np.ndarray:
         return np.column_stack([-self.reading[:, 1], self.reading[:, 0]])
@@ -43,9 +60,11 @@ class Boxes:
 
 @dataclass
 class Room:
-    """The lines of a pattern that texts keep clear of: parts (m, 2, 2) each."""
+    """The lines of a pattern that texts keep clear of: parts (m, 2, 2) each; sheet: the contour
+    (m, 3) texts stay inside, chords for arcs, if any."""
 
     parts: list[np.ndarray] = field(default_factory=list)
+    sheet: np.ndarray | None = None
 
     def add_lines(self, lines: np.ndarray) -> None:
         """Straight lines (m, 2, 2)."""
@@ -57,9 +76,50 @@ class Room:
         for side in sides if close else sides[:-1]:
             self.add_lines(np.stack([side[:-1], side[1:]], axis=1))
 
+    def stay_inside(self, contour: np.ndarray) -> None:
+        """Keep texts on the sheet with the contour (m, 3)."""
+        sides = runs(contour, _SAGITTA)
+        self.sheet = polygon(np.concatenate([side[:-1] for side in sides]))
+
+    def add_hole(self, contour: np.ndarray) -> None:
+        """A contour (m, 3) with nothing inside: texts keep clear of it all."""
+        self.add_contour(contour)
+        points = np.concatenate(runs(contour, _SAGITTA))
+        # Lines across it, so close that no text finds room between them.
+        levels = np.arange(points[:, 1].min(), points[:, 1].max(), SMALLEST_TEXT)
+        ring = np.vstack([points, points[:1]])
+        a, b = ring[:-1], ring[1:]
+        across = []
+        for level in levels.tolist():
+            cut = (a[:, 1] > level) != (b[:, 1] > level)
+            part = (level - a[cut, 1]) / (b[cut, 1] - a[cut, 1])
+            x = np.sort(a[cut, 0] + part * (b[cut, 0] - a[cut, 0]))
+            across += [[(p, level), (q, level)] for p, q in zip(x[::2], x[1::2], strict=True)]
+        if across:
+            self.add_lines(np.array(across))
+
     def clear(self, boxes: Boxes) -> int:
-        """Number of the first box that nothing reaches into, else of the one fewest lines do; it
-        is taken from then on."""
+        """Number of the first box that nothing reaches into, else of the one fewest lines do, of
+        those on the sheet if any; it is taken from then on."""
+        chosen = self._freest(boxes)
+        if self.sheet is not None and not self._on_sheet(boxes.those(np.array([chosen])))[0]:
+            whole = np.flatnonzero(self._on_sheet(boxes))
+            if len(whole):
+                chosen = int(whole[self._freest(boxes.those(whole))])
+        corner, reading, up = boxes.corners[chosen], boxes.reading[chosen], boxes.up[chosen]
+        high = float(boxes.heights[chosen])
+        # Lines along it, close enough that no other text finds room between them.
+        count = max(1, round(high / float(boxes.text[chosen])))
+        feet = corner + np.arange(count + 1)[:, None] * (high / count) * up
+        self.add_lines(np.stack([feet, feet + boxes.widths[chosen] * reading], axis=1))
+        return chosen
+
+    def _on_sheet(self, boxes: Boxes) -> np.ndarray:
+        corners = boxes.all_corners()
+        within = inside(self.sheet, corners.reshape(-1, 2))
+        return within.reshape(len(corners), 4).all(axis=1)
+
+    def _freest(self, boxes: Boxes) -> int:
         lines = np.concatenate(self.parts) if self.parts else np.zeros((0, 2, 2))
         # Mostly the first is free, then one as large: the others need not be looked at.
         chosen, fewest = 0, np.inf
@@ -72,12 +132,6 @@ class Room:
                 chosen, fewest = int(start) + best, int(hits[best])
             if not fewest:
                 break
-        corner, reading, up = boxes.corners[chosen], boxes.reading[chosen], boxes.up[chosen]
-        high = float(boxes.heights[chosen])
-        # Lines along it, close enough that no other text finds room between them.
-        count = max(1, round(high / float(boxes.text[chosen])))
-        feet = corner + np.arange(count + 1)[:, None] * (high / count) * up
-        self.add_lines(np.stack([feet, feet + boxes.widths[chosen] * reading], axis=1))
         return chosen
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..core.lofting import DevelopedPlate, MemberRecord
 from .dxf import LAYERS, layers_of
-from .dxf_file import Space, dxf_bytes, read_model
+from .dxf_file import Frame, Space, dxf_bytes, new_frame, read_model
 
 GAP = 100.0
 """mm; distance of the plates."""
@@ -35,22 +35,35 @@ def groups_of(records: Sequence[MemberRecord]) -> dict[str, list[DevelopedPlate]
     return named
 
 
-def nest_dxf(files: Sequence[tuple[str, bytes]]) -> bytes:
+def nest_frame(marks: Sequence[str]) -> Frame:
+    """What takes the time of nest_dxf and follows from the marks alone."""
+    return new_frame(tuple(layers_of(LAYERS)), tuple(_block_names(marks)))
+
+
+def nest_dxf(files: Sequence[tuple[str, bytes]], frame: Frame | None = None) -> bytes:
     """The file, of plates by mark and content of their own files: DXF R2010, 1:1, mm; every plate,
     as in its own file, is a block named by its mark and inserted once, on shelves from the left;
-    layer 0 holds the insertions only."""
+    layer 0 holds the insertions only. frame: nest_frame of the marks, where it was made before."""
     drawn = [read_model(content) for _, content in files]
     sizes = np.array([size for _, size in drawn])
     places = shelves(sizes)
     model, blocks = Space(), {}
-    for (mark, _), (space, _), corner in zip(files, drawn, places, strict=True):
-        name = _REFUSED.sub("_", mark)
-        while name in blocks:
-            name += "_"
+    names = _block_names([mark for mark, _ in files])
+    for name, (space, _), corner in zip(names, drawn, places, strict=True):
         blocks[name] = space
         model.add_block(name, corner)
     corners = np.concatenate([places, places + sizes])
-    return dxf_bytes(layers_of(LAYERS), corners, model, blocks)
+    return dxf_bytes(layers_of(LAYERS), corners, model, blocks, frame)
+
+
+def _block_names(marks: Sequence[str]) -> list[str]:
+    names: dict[str, None] = {}
+    for mark in marks:
+        name = _REFUSED.sub("_", mark)
+        while name in names:
+            name += "_"
+        names[name] = None
+    return list(names)
 
 
 def shelves(sizes: np.ndarray) -> np.ndarray:

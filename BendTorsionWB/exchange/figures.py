@@ -65,6 +65,10 @@ FIGURES = (
 )
 """The figures of a member that have limits: name, limit and digits shown."""
 
+NOTED = ("axis rms", "x bound")
+"""Figures beyond which there is a note: they tell about the input and the pattern, and a member is
+none the worse for them."""
+
 
 def figures(record: MemberRecord) -> tuple[float | None, ...]:
     """A member's FIGURES: axis rms mm, torsion error degrees, worst flat length error mm of plates
@@ -91,11 +95,21 @@ def passes(value: float | None, limit: float) -> bool:
 
 
 def within_limits(record: MemberRecord) -> bool:
-    """Whether a member is free of errors and all its figures are within the limits."""
+    """Whether a member is free of errors and no figure is beyond a limit: one beyond which there is
+    a note only, such as the usual factor over the proven bound, is none."""
     return (
         bool(record.plates)
         and not has_error(record.findings)
-        and all(passes(value, limit) for value, limit in measured(record))
+        and all(finding.severity == "note" for finding in limit_findings(record))
+    )
+
+
+def beyond(record: MemberRecord) -> tuple[str, ...]:
+    """For each of a member's FIGURES `!` where it is beyond its limit, `*` where that is a note
+    only, else nothing."""
+    return tuple(
+        "" if passes(value, limit) else "*" if name in NOTED else "!"
+        for (name, _, _), (value, limit) in zip(FIGURES, measured(record), strict=True)
     )
 
 

@@ -37,14 +37,20 @@ Lengths are mm, areas mm2, masses kg, angles degrees.
 
 Marks: M12-T3 is the third plate along member M12 on its top face (T top, B bottom, L left,
 R right, seen along the member with its surface above). Every plate has a mark of its own;
-plates that are equal share a part mark, mirror images never do.
+plates that are equal, and marked with the same lines along the same +s, share a part mark;
+mirror images never do, nor, diaphragms apart, plates that fit turned end for end.
 
 Patterns are seen from the marking face that is written on them. They are gross: with the
-allowances for shrinkage and fit-up of the schedule. "contour" on the pattern says the edge of
-which face is drawn: mid (middle of the thickness), top (the marked face), root, widest, inner
-or outer. The root opening of a weld is not taken off the plate. Grooves are told by the texts
-on layer MARK_BEVEL, by the bevel fields of NC1 and by sheet Bevels; the solids of STEP and IFC
-are without them.
+allowances for shrinkage and fit-up of the schedule. "contour" on the pattern says which line of
+an edge is drawn: mid (in the middle of the thickness, of the edge before any groove is cut into
+it), inner or outer (of that face, likewise before), top (of the marked face, grooves cut), root
+(where groove and land meet), widest (the outermost of the edge, grooves cut). Root gaps are
+taken off the plates, but for the rule pack's of butt joints, by which joints shrink.
+
+Grooves are told by the texts on layer MARK_BEVEL, by the bevel fields of NC1
+and by sheet Bevels; the solids of STEP and IFC are without them. "land 2, chamfer 1:4 16x4 up"
+at a joint with a thinner plate: after cutting the marked face ("down": the other one) is machined
+off over 16 mm, 4 mm deep at the edge, and leaves a land of 2 mm; the solids have the chamfer.
 
 Layers of the DXF files: CUT_OUTER, CUT_INNER to cut; MARK_LINE, MARK_FOLD, MARK_ROLL,
 MARK_TEXT, MARK_BEVEL to mark; PUNCH to punch; REF for information only.

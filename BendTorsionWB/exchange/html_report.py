@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from html import escape
 from urllib.parse import quote
@@ -14,6 +14,7 @@ from ..core.finding import Finding
 from ..core.lofting import MemberRecord
 from . import figures, report
 from .cutting_tables import cutting_tables
+from .node_tables import nodes_of
 from .whole_file import write_whole
 
 _STYLE = """
@@ -56,9 +57,11 @@ def html_report(
     sources: Sequence[ErrorSource] = (),
     patterns: Sequence[Picture] = (),
     files: Iterable[tuple[str, str]] = (),
+    length: Callable[[float], str] | None = None,
 ) -> str:
     """The whole page, nothing outside it needed to show it. pictures: at the top; patterns: below,
-    to be unfolded; files: of the folder the page lies in, by name, and what is in them."""
+    to be unfolded; files: of the folder the page lies in, by name, and what is in them; length:
+    writes lengths of findings beside mm, as of `Finding.line`."""
     known = report.all_findings(records, findings)
     title = escape(project or "BendTorsion project")
     parts = [
@@ -72,7 +75,7 @@ def html_report(
         "<h2>Error sources, the largest first</h2>",
         _sources(sources),
         "<h2>Findings</h2>",
-        _findings(known),
+        _findings(known, length),
         "<h2>Flat patterns</h2>",
         *(_unfolding(picture) for picture in patterns if picture.svg),
         "<h2>Cutting list</h2>",
@@ -144,9 +147,10 @@ def _figures(records: Sequence[MemberRecord], known: Sequence[Finding]) -> str:
             _number(record.length, 0),
             _number(record.mass, 1),
         ]
-        for (_, limit, digits), value in zip(figures.FIGURES, figures.figures(record), strict=True):
-            over = value is not None and not value <= limit
-            cells.append(_number(value, digits, "over" if over else ""))
+        for (_, _, digits), value, mark in zip(
+            figures.FIGURES, figures.figures(record), figures.beyond(record), strict=True
+        ):
+            cells.append(_number(value, digits, "over" if mark == "!" else ""))
         cells.append(_cell(report.verdict(record, known)))
         rows.append(cells)
     limits = [*(_cell("") for _ in range(4)), _cell("limit")]
@@ -172,7 +176,7 @@ def _sources(sources: Sequence[ErrorSource]) -> str:
     return _table(["source", "size, mm", "worst at", "lies", "what it is"], rows, numbers=(1,))
 
 
-def _findings(known: Sequence[Finding]) -> str:
+def _findings(known: Sequence[Finding], length: Callable[[float], str] | None) -> str:
     if not known:
         return "<p>None.</p>"
     order = {"error": 0, "warning": 1, "note": 2}
@@ -182,8 +186,8 @@ def _findings(known: Sequence[Finding]) -> str:
             _cell(f.object),
             _cell(f.position),
             _cell(f.message),
-            _value(f.value, f.unit),
-            _value(f.limit, f.unit),
+            _value(f.value, f.unit, length),
+            _value(f.limit, f.unit, length),
             _cell(f.mend),
         ]
         for f in sorted(known, key=lambda f: order.get(f.severity, 3))
@@ -232,7 +236,7 @@ def _pieces(records: Sequence[MemberRecord]) -> str:
 
 def _nodes(records: Sequence[MemberRecord]) -> list[str]:
     """The list of nodes; nothing without any."""
-    nodes = [node for record in records for node in record.nodes]
+    nodes = nodes_of(records)
     if not nodes:
         return []
     rows = [
@@ -253,7 +257,7 @@ def _nodes(records: Sequence[MemberRecord]) -> list[str]:
             ),
             _number(float(node.diaphragms), 0),
         ]
-        for node in sorted(nodes, key=lambda node: (node.through, node.s_through))
+        for node in nodes
     ]
     header = [
         *("node", "kind", "through", "s", "branch", "s of branch", "angle", "type", "root gap"),
@@ -325,8 +329,10 @@ def _number(value: float | None, digits: int, kind: str = "") -> str:
     return f'<td class="n {kind}">{text}</td>' if kind else f'<td class="n">{text}</td>'
 
 
-def _value(value, unit: str) -> str:
+def _value(value, unit: str, length: Callable[[float], str] | None) -> str:
+    told = length(value) if length and unit == "mm" and isinstance(value, float) else ""
     if isinstance(value, float):
         value = f"{value:.4g}"
     text = "" if value is None or value == "" else f"{value} {unit}".strip()
+    text = f"{told} ({text})" if told else text
     return f'<td class="n">{escape(text)}</td>'

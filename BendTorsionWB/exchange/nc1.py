@@ -16,18 +16,20 @@ import numpy as np
 from ..core.finding import BendTorsionError, error
 from ..core.geometry.arc_contour import extents, reversed_contour
 from ..core.geometry.arc_fit import FIT_TOLERANCE, fit_runs
-from ..core.lofting import DevelopedPlate, FlatMark, FoldLine
+from ..core.lofting import DevelopedPlate, FoldLine
 from ..core.patterns.cut_contour import cut_contour
 from ..core.patterns.forming import fold_direction
 from ..core.patterns.gross import marked_ends
-from ..core.patterns.inner_contours import hole_contour, line_stroke, text_field
+from ..core.patterns.inner_contours import hole_contour, line_stroke
 from ..core.welds.bevel_record import EdgeBevel
+from .nc1_labels import LineLabel, PlacedText, placed_texts
+from .nc1_text import ascii_text
 
-LONGEST_TEXT = 80
 MARK_GAP = 5.0
 """Marks stop this far before the contour, mm."""
-TEXT_HEIGHT = 12
 DENSITY = 7.85e-6
+STRAIGHT = 0.005
+"""mm; an arc that leaves its chord by less is a line: half of what the file's figures tell."""
 
 
 def plate_nc1(plate: DevelopedPlate, order: str = "", drawing: str = "") -> bytes:
@@ -58,19 +60,21 @@ def plate_nc1(plate: DevelopedPlate, order: str = "", drawing: str = "") -> byte
     for hole in plate.holes:
         if hole.circle is None:
             lines += ["IK", *_contour(reversed_contour(hole_contour(hole)))]
+    folds = {fold.label for fold in plate.folds}  # these carry their own text
     marks = [
-        (line.label, line.flat)
+        LineLabel(line.label, line.flat, 0.2)
         for line in plate.lines
-        if line.label.startswith("L") or line.label in green
+        if (line.label.startswith("L") or line.label in green) and line.label not in folds
     ]
-    marks += [(_fold_text(plate, fold), fold.flat) for fold in plate.folds]
+    marks += [LineLabel(_fold_text(plate, fold), fold.flat, 0.5) for fold in plate.folds]
     if plate.forming_data is not None:
-        marks += [(roll.text(), roll.flat) for roll in plate.forming_data.roll_lines]
-    for _, flat in marks:
-        lines += ["PU", *_polyline(_shortened(flat))]
-    for mark in plate.marks:
-        if mark.kind == "line":
-            lines += ["PU", *_stroke(line_stroke(mark))]
+        marks += [LineLabel(r.text(), r.flat, 0.5) for r in plate.forming_data.roll_lines]
+    strokes = [np.column_stack([_shortened(mark.flat), np.zeros(2)]) for mark in marks]
+    for stroke in strokes:
+        lines += ["PU", *_polyline(stroke[:, :2])]
+    drawn = [line_stroke(mark) for mark in plate.marks if mark.kind == "line"]
+    for stroke in drawn:
+        lines += ["PU", *_stroke(stroke)]
     # Those of the end lines lie on the contour.
     witnesses = [
         p
@@ -84,12 +88,7 @@ def plate_nc1(plate: DevelopedPlate, order: str = "", drawing: str = "") -> byte
         lines += [f"  v {u:9.2f}u{v:9.2f}{diameter:9.2f}" for u, v, diameter in circles]
         lines += [f"  v {u:9.2f}m{v:9.2f}{0:9.2f}" for u, v in punches]
     lines.append("SI")
-    ends = [line.flat for line in plate.lines] or text_field(plate)
-    centre = np.mean([flat.mean(axis=0) for flat in ends], axis=0)
-    lines.append(_text(centre, plate.mark))
-    for label, flat in marks:
-        lines.append(_text(flat.mean(axis=0), label))
-    lines += [_mark_text(mark) for mark in plate.marks if mark.text]
+    lines += map(_text, placed_texts(plate, outline, [*strokes, *drawn], punches, marks))
     lines.append("EN")
     return ("\r\n".join(lines) + "\r\n").encode("ascii")
 
@@ -125,7 +124,7 @@ def _header(plate: DevelopedPlate, outline: np.ndarray, order: str, drawing: str
     ]
     part = f"part {plate.part}, {plate.quantity} off" if plate.quantity > 1 else ""
     free = [f"contour {plate.contour_face}", f"marking face {plate.marking_face}", part, ""]
-    return [f"  {_ascii(text)}" for text in [*texts, *numbers, *free]]
+    return [f"  {ascii_text(text)}" for text in [*texts, *numbers, *free]]
 
 
 SQUARE = (0.0, 0.0, 0.0, 0.0)
@@ -141,7 +140,7 @@ def _contour(outline: np.ndarray, bevels: Sequence[tuple[float, ...]] = ()) -> l
         rows.append((*point, _radius(point, end, bulge), *own))
     rows.append((points[0, 0], points[0, 1], 0.0, *SQUARE))
     return [
-        f"  v {x:9.2f}u{y:9.2f}{r:12.2f}" + "".join(f"{value + 0.0:9.2f}" for value in own)
+        f"  v {x:9.2f}u{y:9.2f} {r:11.2f}" + "".join(f"{value + 0.0:9.2f}" for value in own)
         for x, y, r, *own in rows
     ]
 
@@ -152,9 +151,12 @@ def _bevel_fields(bevel: EdgeBevel | None, plate: DevelopedPlate) -> tuple[float
     groove; without a groove the whole edge is told from the front."""
     if bevel is None:
         return SQUARE
-    natural, outer, inner = bevel.natural, bevel.outer, bevel.inner
+    natural, (outer, inner) = bevel.natural, bevel.cut_depths
+    outer, inner = (bevel.outer[0], outer), (bevel.inner[0], inner)
     front, back, tilt = (inner, outer, natural) if _inside(plate) else (outer, inner, -natural)
     if not front[1] and not back[1]:
+        if not natural:
+            return SQUARE
         front = (tilt, plate.thickness)
     elif not front[1]:
         front = (tilt, plate.thickness - back[1])
@@ -175,13 +177,17 @@ def _stroke(arcs: np.ndarray) -> list[str]:
     """An open arc polyline, the radius of each arc on its first point."""
     points = np.maximum(arcs[:, :2], 0.0)
     radii = [*map(_radius, points[:-1], points[1:], arcs[:-1, 2]), 0.0]
-    return [f"  v {x:9.2f}u{y:9.2f}{r:9.2f}" for (x, y), r in zip(points, radii, strict=True)]
+    return [f"  v {x:9.2f}u{y:9.2f} {r:11.2f}" for (x, y), r in zip(points, radii, strict=True)]
 
 
 def _radius(start: np.ndarray, end: np.ndarray, bulge: float) -> float:
     """Signed radius of an arc, positive counter-clockwise; 0 of a line."""
     chord = float(np.hypot(*(end - start)))
-    return chord * (1 + bulge**2) / (4 * bulge) if abs(bulge) > 1e-12 else 0.0
+    return chord * (1 + bulge**2) / (4 * bulge) if _bends(chord, bulge) else 0.0
+
+
+def _bends(chord: float, bulge: float) -> bool:
+    return bool(0.5 * chord * abs(bulge) >= STRAIGHT)
 
 
 def _shortened(flat: np.ndarray) -> np.ndarray:
@@ -191,16 +197,6 @@ def _shortened(flat: np.ndarray) -> np.ndarray:
     return np.array([flat[0] + step, flat[1] - step])
 
 
-def _text(place: np.ndarray, text: str, angle: float = 0.0) -> str:
-    return f"  v {place[0]:9.2f}u{place[1]:9.2f}{angle + 0.0:9.2f}{TEXT_HEIGHT:4d} {_ascii(text)}"
-
-
-def _mark_text(mark: FlatMark) -> str:
-    if mark.kind == "line":
-        return _text(mark.flat[len(mark.flat) // 2], mark.text)
-    reading = mark.flat[-1] - mark.flat[0]
-    return _text(mark.flat[0], mark.text, math.degrees(math.atan2(reading[1], reading[0])))
-
-
-def _ascii(text: str) -> str:
-    return text.encode("ascii", "replace").decode()[:LONGEST_TEXT]
+def _text(placed: PlacedText) -> str:
+    (u, v), text = placed.corner, placed.text
+    return f"  v {u:9.2f}u{v:9.2f}{round(placed.angle, 2) + 0.0:9.2f}{placed.height:4d} {text}"

@@ -7,7 +7,7 @@ import math
 from collections.abc import Sequence
 
 from ..core.lofting import MemberRecord
-from ..core.nodes.node_record import NodeRecord
+from ..core.nodes.node_record import NodeRecord, in_order
 from .xlsx_file import FINE, TENTH, TEXT, WHOLE, Column, Table
 
 NODES = (
@@ -24,6 +24,8 @@ NODES = (
     Column("step_max", FINE, 10),
     Column("step_angle_max", FINE, 15),
     Column("diaphragms", WHOLE, 11),
+    Column("manhole", TENTH, 9),
+    Column("status", TEXT, 24),
 )
 STEPS = (
     Column("node", TEXT, 12),
@@ -38,9 +40,19 @@ STEPS = (
 )
 
 
-def node_tables(records: Sequence[MemberRecord]) -> tuple[Table, Table]:
-    """A row per branch of every node, and one per edge of its faces; mm and degrees."""
-    nodes = [node for record in records for node in record.nodes]
+def nodes_of(records: Sequence[MemberRecord]) -> list[NodeRecord]:
+    """The nodes of records by the member that runs through, in their order, and the place on it."""
+    return in_order(
+        [node for record in records for node in record.nodes], [own.member for own in records]
+    )
+
+
+def node_tables(
+    records: Sequence[MemberRecord], nodes: Sequence[NodeRecord] | None = None
+) -> tuple[Table, Table]:
+    """A row per branch of every node, and one per edge of its faces; mm and degrees. nodes: of the
+    project, or those of the records."""
+    nodes = nodes_of(records) if nodes is None else nodes
     return (
         Table("Nodes", NODES, map(_row, nodes)),
         Table("NodeSteps", STEPS, (row for node in nodes for row in _steps(node))),
@@ -67,6 +79,7 @@ def node_json(node: NodeRecord) -> dict:
         "step_max_mm": node.largest_step,
         "step_angle_max_deg": _degrees(node.largest_angle),
         "diaphragms": node.diaphragms,
+        "manhole_mm": node.manhole,
     }
 
 
@@ -90,6 +103,8 @@ def _row(node: NodeRecord) -> tuple:
         node.largest_step,
         _degrees(node.largest_angle),
         node.diaphragms,
+        node.manhole,
+        node.status,
     )
 
 

@@ -10,6 +10,7 @@ from collections.abc import Callable
 
 from ..core.finding import BendTorsionError
 from ..core.joints.pieces import end_words
+from ..core.joints.stock import stock_of
 from ..core.plates.diaphragm_input import ENDS, closing_of
 from ..core.plates.face_marks import mark_words
 from ..core.plates.hole_shape import hole_shape, placed_hole
@@ -69,3 +70,4 @@ shape = _words(hole_shape, "bad-shape")
 manhole = _words(placed_hole, "bad-shape")
 closing = _words(closing_of, "bad-closing-face")
 mark = _words(mark_words, "bad-mark")
+stock = _words(stock_of, "bad-stock")

@@ -9,8 +9,12 @@ from collections.abc import Iterable, Sequence
 
 from ..core.finding import Finding, has_error
 from ..core.lofting import DevelopedPlate, MemberRecord
+from ..core.nodes.node_record import NodeRecord
+from ..core.welds.bevel_record import EdgeBevel
 from .figures import (
     FIGURES,
+    NOTED,
+    beyond,
     degrees,
     figures,
     largest,
@@ -19,7 +23,7 @@ from .figures import (
     passes,
     within_limits,
 )
-from .node_tables import node_json
+from .node_tables import node_json, nodes_of
 from .piece_table import piece_json
 from .weld_tables import weld_json
 from .whole_file import write_whole
@@ -61,22 +65,34 @@ def findings_of(record: MemberRecord, findings: Iterable[Finding]) -> list[Findi
     """Those of `findings` that concern a member: its own, and those naming it or its plates."""
     own = set(record.findings)
     names = {record.member, *(plate.mark for plate in record.plates)}
-    return [finding for finding in findings if finding in own or finding.object in names]
+    return [f for f in findings if f in own or not names.isdisjoint(f.objects)]
 
 
 def of_member(name: str, findings: Iterable[Finding]) -> tuple[Finding, ...]:
-    """Those of `findings` whose object is the member or one of its plates."""
-    return tuple(f for f in findings if f.object == name or f.object.startswith(f"{name}-"))
+    """Those of `findings` that concern the member or one of its plates."""
+    return tuple(
+        f for f in findings if any(own == name or own.startswith(f"{name}-") for own in f.objects)
+    )
 
 
-def report_json(records: Sequence[MemberRecord], findings: Iterable[Finding], version: str) -> dict:
+def report_json(
+    records: Sequence[MemberRecord],
+    findings: Iterable[Finding],
+    version: str,
+    nodes: Sequence[NodeRecord] | None = None,
+) -> dict:
     """The content of report.json as plain JSON data; angles in degrees, missing figures None.
 
-    `findings` are those of the build; the records' own are added. Members in the given order.
+    `findings` are those of the build; the records' own are added. nodes: those of the project,
+    with meetings that are none, or those of the records. Members in the given order.
     """
     return {
         "version": version,
         "members": [_member(record) for record in records],
+        "nodes": [
+            {**node_json(node), "other": node.other, "status": node.status}
+            for node in (nodes_of(records) if nodes is None else nodes)
+        ],
         "findings": [_plain(finding.as_dict()) for finding in all_findings(records, findings)],
     }
 
@@ -86,14 +102,15 @@ def write_report(
     findings: Iterable[Finding],
     version: str,
     path: str | os.PathLike,
+    nodes: Sequence[NodeRecord] | None = None,
 ) -> None:
-    """Write report.json: strict JSON, UTF-8, a line for each member and finding. Raises
+    """Write report.json: strict JSON, UTF-8, a line for each member, node and finding. Raises
     BendTorsionError when it cannot be written."""
-    content = report_json(records, findings, version)
+    content = report_json(records, findings, version, nodes)
     # An encoder that indents takes ten times as long.
     encoder = json.JSONEncoder(ensure_ascii=False, allow_nan=False)
     parts = [f'{{"version": {encoder.encode(content["version"])}']
-    for key in ("members", "findings"):
+    for key in ("members", "nodes", "findings"):
         lines = ",\n".join(map(encoder.encode, content[key]))
         parts.append(f'"{key}": [\n{lines}\n]')
     write_whole(path, (",\n".join(parts) + "}\n").encode("utf-8", "replace"))
@@ -143,8 +160,21 @@ def _plate(plate: DevelopedPlate) -> dict:
         "centre_of_gravity_mm": _place(plate.centre_of_gravity),
         "painted_area_mm2": number(plate.painted_area),
         "material": plate.material,
+        "chamfers": [_chamfer(plate, own) for own in plate.bevels if own.chamfer],
         **_gross(plate),
         **_errors(plate),
+    }
+
+
+def _chamfer(plate: DevelopedPlate, bevel: EdgeBevel) -> dict:
+    chamfer = bevel.chamfer
+    return {
+        "edge": bevel.edge,
+        "face": chamfer.faces,
+        "slope": number(chamfer.slope),
+        "length_mm": number(chamfer.length),
+        "depth_mm": number(chamfer.depth),
+        "land_mm": number(bevel.land(plate.thickness)),
     }
 
 
@@ -204,7 +234,8 @@ def summary_lines(records: Sequence[MemberRecord], findings: Iterable[Finding]) 
 
     Columns: axis rms (mm), largest torsion error (degrees), worst flat length error of plates
     without and with folds (mm), and the worst error over its proven bound. A figure beyond its
-    limit carries an exclamation mark and makes the member `over`; an error makes it `FAIL`.
+    limit carries an exclamation mark and makes the member `over`; one that is only told in a note
+    carries a star. An error makes the member `FAIL`.
     """
     known = all_findings(records, findings)
     lines = [_table_row([name for name, _, _ in _HEADINGS])]
@@ -220,8 +251,12 @@ def summary_lines(records: Sequence[MemberRecord], findings: Iterable[Finding]) 
     mass = sum(record.mass or 0.0 for record in records)
     columns = zip(*(figures(record) for record in records)) if records else [()] * len(FIGURES)
     worst = [
-        _figure(largest(value for value in column if value is not None), limit, digits)
-        for column, (_, limit, digits) in zip(columns, FIGURES, strict=True)
+        _figure(value, digits, "" if passes(value, limit) else "*" if name in NOTED else "!")
+        for value, (name, limit, digits) in zip(
+            (largest(v for v in column if v is not None) for column in columns),
+            FIGURES,
+            strict=True,
+        )
     ]
     results = [line.split()[-1] for line in lines[2 : 2 + len(records)]]
     result = next((v for v in ("FAIL", "over") if v in results), "ok" if records else "FAIL")
@@ -234,6 +269,8 @@ def summary_lines(records: Sequence[MemberRecord], findings: Iterable[Finding]) 
         for severity in ("error", "warning", "note")
     ]
     lines.append(f"{good} of {len(records)} members within the limits; {', '.join(counts)}")
+    if any("*" in mark for record in records for mark in beyond(record)):
+        lines.insert(-1, "* beyond the usual, told in a note: no limit")
     return lines
 
 
@@ -249,15 +286,15 @@ def _facts(record: MemberRecord) -> list[str]:
 
 def _marked(record: MemberRecord) -> list[str]:
     return [
-        _figure(value, limit, digits)
-        for value, (_, limit, digits) in zip(figures(record), FIGURES, strict=True)
+        _figure(value, digits, mark)
+        for value, (_, _, digits), mark in zip(
+            figures(record), FIGURES, beyond(record), strict=True
+        )
     ]
 
 
-def _figure(value: float | None, limit: float, digits: int) -> str:
-    if value is None:
-        return ""
-    return f"{value:.{digits}f}" + ("" if passes(value, limit) else "!")
+def _figure(value: float | None, digits: int, mark: str) -> str:
+    return "" if value is None else f"{value:.{digits}f}{mark}"
 
 
 def _table_row(cells: Sequence[str]) -> str:

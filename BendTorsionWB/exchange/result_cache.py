@@ -30,7 +30,7 @@ from BendTorsionWB.exchange.collection import without_collection
 from BendTorsionWB.exchange.whole_file import write_whole
 
 FOLDER = ".cache"
-SUFFIX = ".member"
+SUFFIX, PLAIN_SUFFIX = ".member", ".fragment"
 _PACKAGE = Path(__file__).parent.parent
 _OWN = "BendTorsionWB.core."
 _ARRAYS = frozenset(
@@ -69,10 +69,23 @@ class ResultCache:
 
     folder: Path
 
+    def has(self, key: str) -> bool:
+        """Whether something is kept under this key, good or damaged."""
+        return any(self._path(key, suffix).exists() for suffix in (SUFFIX, PLAIN_SUFFIX))
+
     def find(self, key: str) -> DetailedMember | None:
         """The result of this key, or None."""
+        found = self._found(key, SUFFIX)
+        return found if isinstance(found, DetailedMember) else None
+
+    def find_plain(self, key: str) -> tuple | None:
+        """What keep_plain kept under this key, or None."""
+        found = self._found(key, PLAIN_SUFFIX)
+        return found if isinstance(found, tuple) else None
+
+    def _found(self, key: str, suffix: str) -> object:
         try:
-            content = self._path(key).read_bytes()
+            content = self._path(key, suffix).read_bytes()
         except OSError:
             return None
         stamp, _, body = content.partition(b"\n")
@@ -80,31 +93,37 @@ class ResultCache:
             return None
         try:
             with without_collection():
-                found = _Reader(io.BytesIO(body)).load()
+                return _Reader(io.BytesIO(body)).load()
         except (pickle.UnpicklingError, ArithmeticError, AttributeError, EOFError, ImportError):
             return None
         except (LookupError, TypeError, ValueError, MemoryError):
             return None
-        return found if isinstance(found, DetailedMember) else None
 
     def keep(self, key: str, result: DetailedMember) -> None:
         """Keep a result. A folder that cannot be written to costs time at the next build only."""
+        self._keep(key, SUFFIX, result)
+
+    def keep_plain(self, key: str, values: tuple) -> None:
+        """Keep plain values, as `keep`."""
+        self._keep(key, PLAIN_SUFFIX, values)
+
+    def _keep(self, key: str, suffix: str, result: object) -> None:
         body = pickle.dumps(result, 5)
         try:
-            write_whole(self._path(key), _stamp(key, body) + b"\n" + body)
+            write_whole(self._path(key, suffix), _stamp(key, body) + b"\n" + body)
         except BendTorsionError:
             return
 
     def sweep(self, wanted: Iterable[str]) -> None:
-        """Remove the results of all other keys."""
-        keep = {self._path(key).name for key in wanted}
-        for path in self.folder.glob(f"*{SUFFIX}"):
-            if path.name not in keep:
+        """Remove what is kept under all other keys."""
+        keep = set(wanted)
+        for path in self.folder.iterdir() if self.folder.is_dir() else ():
+            if path.suffix in (SUFFIX, PLAIN_SUFFIX) and path.stem not in keep:
                 with _unless_in_use():
                     path.unlink()
 
-    def _path(self, key: str) -> Path:
-        return self.folder / f"{key}{SUFFIX}"
+    def _path(self, key: str, suffix: str) -> Path:
+        return self.folder / f"{key}{suffix}"
 
 
 class _Reader(pickle.Unpickler):

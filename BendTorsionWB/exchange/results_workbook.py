@@ -4,10 +4,12 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from ..core.finding import SEVERITIES, Finding
 from ..core.lofting import DevelopedPlate, MemberRecord
+from ..core.nodes.node_record import NodeRecord
 from ..core.site import AT_ORIGIN, SiteDatum
 from .bed_tables import bed_tables
 from .bevel_tables import bevel_tables
@@ -22,7 +24,18 @@ from .piece_table import piece_table
 from .report import all_findings, dxf_name, findings_of, nc1_name, sheet_name
 from .weld_tables import weld_tables
 from .whole_file import write_whole
-from .xlsx_file import FINE, STRAIN, TENTH, TEXT, WHOLE, Column, Table, xlsx_bytes
+from .xlsx_file import (
+    FINE,
+    STRAIN,
+    TENTH,
+    TEXT,
+    WHOLE,
+    Column,
+    RowBlock,
+    Table,
+    row_block,
+    xlsx_bytes,
+)
 from .zone_table import zone_table
 
 SUMMARY = (
@@ -118,18 +131,45 @@ def write_results(
     path: str | os.PathLike,
     project: str = "",
     site: SiteDatum = AT_ORIGIN,
+    nodes: Sequence[NodeRecord] | None = None,
+    length: Callable[[float], str] | None = None,
+    rows: Sequence[Mapping[str, RowBlock]] | None = None,
 ) -> None:
     """Write the results workbook to `path`; mm, kg, degrees at full precision.
 
     Sheets Summary, Zones, Pieces, Plates, Points, Lines, Panels, Forming, FormingLines, Bed, Pins,
     Control, BedFrames and Checks, header names in row 1; `findings` are those of the build,
-    the records' own are added. `project` is its title; `site`: where the model lies. The same
-    input gives the same bytes. Raises BendTorsionError when the file cannot be written.
+    the records' own are added. `project` is its title; `site`: where the model lies; `nodes`: of
+    the project, with meetings that are none, or those of the records; `length`: writes lengths of
+    findings in the unit of the sheets, beside mm; `rows`: member_rows of each record, where they
+    were made
+    before. The same input gives the same bytes. Raises
+    BendTorsionError when the file cannot be written.
     """
     known = all_findings(records, findings)
-    plates = [plate for record in records for plate in record.plates]
+    rows = [member_rows(record, site) for record in records] if rows is None else rows
+    whole = {
+        table.name: replace(table, blocks=[own[table.name] for own in rows])
+        for table in member_tables((), site)
+    }
     tables = (
         Table("Summary", SUMMARY, _summary(records, known), _project(records, known, project)),
+        *(whole[name] for name in ("Zones", "Pieces", "Plates", "Points", "Lines", "Panels")),
+        whole["Edges"],
+        *node_tables(records, nodes),
+        *(whole[name] for name in ("Joints", "Welds", "Bevels", "Bars")),
+        *cutting_tables(records),
+        *(whole[name] for name in ("Forming", "FormingLines", "Bed", "Pins", "BedFrames")),
+        whole["Control"],
+        _checks(known, length),
+    )
+    write_whole(path, xlsx_bytes(tuple(map(with_units, tables)), project))
+
+
+def member_tables(records: Sequence[MemberRecord], site: SiteDatum = AT_ORIGIN) -> list[Table]:
+    """The tables that hold rows of one member after the other."""
+    plates = [plate for record in records for plate in record.plates]
+    tables = (
         zone_table(records),
         piece_table(records),
         Table("Plates", PLATES, map(_plate, plates)),
@@ -137,16 +177,19 @@ def write_results(
         Table("Lines", LINES, (row for plate in plates for row in _lines(plate))),
         Table("Panels", PANELS, (row for plate in plates for row in _panels(plate))),
         Table("Edges", EDGES, (row for plate in plates for row in edge_rows(plate))),
-        *node_tables(records),
         *weld_tables(records),
         *bevel_tables(records),
-        *cutting_tables(records),
         *forming_tables(plates),
         *bed_tables([bed for record in records for bed in record.beds]),
         control_table(records, site),
-        Table("Checks", CHECKS, (_check(finding) for finding in known)),
     )
-    write_whole(path, xlsx_bytes(tuple(map(with_units, tables)), project))
+    return list(map(with_units, tables))
+
+
+def member_rows(record: MemberRecord, site: SiteDatum = AT_ORIGIN) -> dict[str, RowBlock]:
+    """The rows of one member in member_tables, by the tables' names: what takes the time of the
+    workbook, and changes with this member alone."""
+    return {table.name: row_block(table) for table in member_tables([record], site)}
 
 
 def _summary(records: Sequence[MemberRecord], known: Sequence[Finding]) -> Iterator[tuple]:
@@ -267,5 +310,18 @@ def _panels(plate: DevelopedPlate) -> Iterator[tuple]:
         yield plate.mark, panel.panel, panel.what, panel.flat, panel.arc, panel.chord_outer
 
 
-def _check(finding: Finding) -> tuple:
-    return tuple(finding.as_dict().values())
+def _checks(known: Iterable[Finding], length: Callable[[float], str] | None) -> Table:
+    """The findings; with `length` lengths as sheets write them besides."""
+    if length is None:
+        return Table("Checks", CHECKS, (tuple(f.as_dict().values()) for f in known))
+    told = (Column("value_told", TEXT, 14), Column("limit_told", TEXT, 14))
+    return Table("Checks", (*CHECKS, *told), (_told(finding, length) for finding in known))
+
+
+def _told(finding: Finding, length: Callable[[float], str]) -> tuple:
+    is_length = finding.unit == "mm"
+    figures = (
+        length(float(value)) if is_length and isinstance(value, (int, float)) else None
+        for value in (finding.value, finding.limit)
+    )
+    return (*finding.as_dict().values(), *figures)

@@ -9,12 +9,13 @@ from pathlib import Path
 
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.part_tables import PART_COLUMNS, material_text
-from BendTorsionWB.core.welds.preps import Prep, prep_text
+from BendTorsionWB.core.welds.preps import prep_text
 from BendTorsionWB.exchange.schedule_cells import Joints
 from BendTorsionWB.exchange.schedule_checks import check
 from BendTorsionWB.exchange.schedule_columns import SHEETS
 from BendTorsionWB.exchange.schedule_nodes import NODE_COLUMNS
 from BendTorsionWB.exchange.schedule_patterns import pattern_input
+from BendTorsionWB.exchange.schedule_preps import prep_of_row
 from BendTorsionWB.exchange.schedule_rows import (
     AxisRow,
     FrameRow,
@@ -96,7 +97,7 @@ def _schedule(records: dict[str, list[Record] | None], values: dict) -> Schedule
 
 def _parts(records, materials) -> tuple[PartRow, ...]:
     grades = {m.name: material_text(m.name, m.density, m.E, m.fy) for m in materials}
-    preps = {row["prep"]: prep_text(_prep(row)) for row in records["Preps"] or []}
+    preps = {row["prep"]: prep_text(prep_of_row(row)) for row in records["Preps"] or []}
     rows = []
     for sheet, columns in PART_COLUMNS.items():
         for row in records[sheet] or []:
@@ -107,12 +108,6 @@ def _parts(records, materials) -> tuple[PartRow, ...]:
                 cells["prep"] = preps[cells["prep"]]
             rows.append(PartRow(row.place, sheet, row["member"], tuple(cells.items())))
     return tuple(rows)
-
-
-def _prep(row: Record) -> Prep:
-    angle = math.radians(row["angle"])
-    sizes = (row[name] for name in ("land", "gap", "side", "backing", "leg"))
-    return Prep(row["prep"], row["type"], angle, *sizes)
 
 
 def _surface(row: Record) -> SurfaceRow:

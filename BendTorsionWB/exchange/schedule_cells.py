@@ -10,7 +10,9 @@ import unicodedata
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from ..core.finding import BendTorsionError
 from ..core.members.thickness import STAGGER_WORDS, stagger_offsets
+from ..core.patterns.layer_names import named_layers
 from .file_name import is_device
 
 # Beyond any site grid in mm; larger figures are slips that would only overflow later.
@@ -311,6 +313,16 @@ def parameters(value) -> dict[str, float]:
         except BadCell as bad:
             raise BadCell(bad.code, f"parameter {key}: {bad.message}", mend, bad.limit) from None
     return found
+
+
+def layer_lines(value) -> str:
+    """Names for layers of cut files as one text, `CUT_OUTER=10 MARK_TEXT=T`, parted by blanks."""
+    try:
+        names = named_layers(str(value))
+    except BendTorsionError as problem:
+        bad = problem.findings[0]
+        raise BadCell(bad.code, bad.message, bad.mend) from None
+    return " ".join(f"{layer}={name}" for layer, name in names.items())
 
 
 def corners(value) -> tuple[tuple[float, float], ...]:

@@ -8,8 +8,6 @@ from collections import defaultdict
 import numpy as np
 from scipy.spatial import cKDTree
 
-from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.core.welds.preps import prep_of
 from BendTorsionWB.exchange.schedule_axis_checks import check_frames, check_presets
 from BendTorsionWB.exchange.schedule_cells import did_you_mean
 from BendTorsionWB.exchange.schedule_columns import (
@@ -21,6 +19,7 @@ from BendTorsionWB.exchange.schedule_columns import (
 from BendTorsionWB.exchange.schedule_end_cuts import check_end_cuts
 from BendTorsionWB.exchange.schedule_nodes import check_nodes
 from BendTorsionWB.exchange.schedule_patterns import check_split
+from BendTorsionWB.exchange.schedule_preps import check_preps
 from BendTorsionWB.exchange.schedule_sections import check_faces, check_sections
 from BendTorsionWB.exchange.schedule_workbook import Record, parse_cell
 
@@ -75,7 +74,7 @@ def check(records: dict[str, list[Record] | None], faults: list) -> dict[str, ob
     for sheet, column, other, key in _REFERENCES:
         _references(records, sheet, column, other, key, faults)
     _default_material(records, faults)
-    _preps(records, faults)
+    check_preps(records, faults)
     for record in records["Surfaces"] or []:
         _surface(record, faults)
     if records["Points"] is not None and records["Axes"]:
@@ -104,27 +103,6 @@ def check(records: dict[str, list[Record] | None], faults: list) -> dict[str, ob
 
 def _report(faults, record: Record, column, code, message, mend, **fields):
     faults.append((record.place, record.error(column, code, message, mend, **fields)))
-
-
-def _preps(records, faults: list) -> None:
-    """Preparations named in Edges: a row of Preps, or words that say what it is."""
-    known = {record["prep"] for record in records["Preps"] or []}
-    for record in records["Edges"] or []:
-        given = record["prep"]
-        if not given or given in known:
-            continue
-        try:
-            prep_of(given)
-        except BendTorsionError as problem:
-            fault = problem.findings[0]
-            finding = record.place.error(
-                "prep",
-                "unknown-name",
-                f"{given!r} is no preparation of sheet Preps: {fault.message}",
-                "name a row of Preps, or write such as bevel angle=40 land=6 gap=2",
-                value=given,
-            )
-            faults.append((record.place, finding))
 
 
 def _settings(rows, faults) -> dict[str, object]:

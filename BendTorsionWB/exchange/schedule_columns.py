@@ -39,6 +39,7 @@ from BendTorsionWB.exchange.schedule_cells import (
     cut,
     joints,
     lanes,
+    layer_lines,
     parameters,
     stagger,
     text,
@@ -329,6 +330,8 @@ SETTINGS = {
         Column("sheet_standard", Choice(STANDARDS), default=PLAIN_STYLE.standard),
         Column("sheet_language", Choice(LANGUAGES), default=PLAIN_STYLE.language),
         Column("sheet_unit", Choice(LENGTH_UNITS), default=PLAIN_STYLE.unit),
+        Column("stock", part_cells.stock, default=""),
+        Column("layer_names", layer_lines, default=""),
         Column("rule_pack", Choice(("CN", "EU", "US")), default="CN"),
     )
 }

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from ..core.detailing import MemberInput, MemberJob, PlatesInput
 from ..core.finding import BendTorsionError, Finding
 from ..core.geometry.surface import Flipped, Offset, Surface, analytic_surface
 from ..core.joints.lanes import Lanes
+from ..core.joints.stock import stock_of
 from ..core.members.zones import Segment
 from ..core.plates.plates import Joints
 from ..core.sections.section import Material, Section
@@ -90,7 +91,22 @@ COLUMN_OF_PART_CODE = {
     "prep-angle": "prep",
     "prep-land": "prep",
     "prep-backing": "prep",
+    "prep-flat": "prep",
+    "prep-corner": "prep",
+    "bevel-steep": "prep",
+    "fillet-angle": "prep",
+    "fillet-leg": "prep",
+    "fillet-ledge": "prep",
+    "root-gap-too-wide": "prep",
+    "root-gap-whole-seam": "prep",
+    "root-gap-lanes": "prep",
+    "edge-row-order": "from",
+    "backing-clash": "snipe",
     "edge-row-unused": "seam",
+    "root-gap-differs": "prep",
+    "gap-too-wide": "prep",
+    "section-gap": "prep",
+    "plates-overlap": "prep",
     "pieces-leave-out": "from",
     "piece-beyond-member": "to",
     "piece-order": "to",
@@ -102,10 +118,14 @@ COLUMN_OF_PART_CODE = {
     "piece-gap": "gap",
     "piece-green": "green_end",
     "opening-face": "face",
+    "opening-on-seam": "offset",
     "mark-face": "face",
     "mark-outside": "s",
 }
 """Column of the sheets of parts a finding of the core is about."""
+
+_PART = re.compile(r"(diaphragm|opening|mark|piece|edge) (\d+)")
+"""A row of a sheet of parts, as the core names it."""
 
 
 @dataclass(frozen=True)
@@ -217,7 +237,7 @@ def job_of(schedule: Schedule, row: MemberRow, files: Files = Files()) -> Member
         PlatesInput(
             joints,
             settings.station_spacing,
-            rules.joint_rules(settings.rule_pack),
+            rules.joint_rules(settings.rule_pack, stock_of(settings.stock)),
             rules.forming_rules(settings.rule_pack),
             lanes=lanes,
             welds=rules.weld_defaults(settings.rule_pack),
@@ -250,7 +270,7 @@ def _bed(settings: Settings) -> BedInput:
 def located(schedule: Schedule, row: MemberRow, finding: Finding) -> Finding:
     """A core finding about a member, at the cell of the schedule that causes it."""
     segment = re.match(r"segment (\d+)", finding.position)
-    part = re.match(r"(diaphragm|opening|mark|piece|edge) (\d+)", finding.position)
+    part = _PART.match(finding.position)
     if part:
         sheet = f"{part.group(1).capitalize()}s"
         source = schedule.parts_of(sheet, row.name)[int(part.group(2)) - 1]
@@ -289,6 +309,18 @@ def located(schedule: Schedule, row: MemberRow, finding: Finding) -> Finding:
         limit=finding.limit,
         unit=finding.unit,
     )
+
+
+def at_rows(schedule: Schedule, findings: Iterable[Finding]) -> tuple[Finding, ...]:
+    """Findings about members with the sheet, row and column in place of `edge 3` and the like."""
+    rows = {row.name: row for row in schedule.members}
+    told = []
+    for finding in findings:
+        if finding.object in rows and _PART.fullmatch(finding.position):
+            place = located(schedule, rows[finding.object], finding).position
+            finding = replace(finding, position=place)
+        told.append(finding)
+    return tuple(told)
 
 
 def _first_auto(splits: Mapping[str, SplitRow], row: MemberRow):

@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from BendTorsionWB.core.detailing import MemberJob
-from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.core.finding import BendTorsionError, Finding
 from BendTorsionWB.core.nodes.node_input import NodeInput
 from BendTorsionWB.core.nodes.node_jobs import jobs_with_nodes
 from BendTorsionWB.core.nodes.nodes import Found
@@ -90,14 +90,20 @@ def with_nodes(schedule, jobs: Mapping[str, MemberJob]) -> tuple[dict[str, Membe
         return dict(jobs), Found()
     rows = [node_input(row) for row in schedule.nodes]
     made, found = jobs_with_nodes(jobs, ranks, rows, node_rules(schedule.settings.rule_pack))
-    of_rows = [f for f in found.findings if f.position.startswith("row ")]
+    of_rows = [own for f in found.findings for own in _at_row(schedule.nodes, f)]
     if of_rows:
-        raise BendTorsionError(
-            dict.fromkeys(
-                schedule.nodes[int(f.position.split()[1]) - 1].error(
-                    "other", f.code, f.message, f.mend
-                )
-                for f in of_rows
-            )
-        )
+        raise BendTorsionError(dict.fromkeys(of_rows))
     return made, found
+
+
+def _at_row(rows, finding: Finding) -> Iterator[Finding]:
+    """A finding at the cell of the row it is about, if it is about one."""
+    if finding.position.startswith("row "):
+        row = rows[int(finding.position.split()[1]) - 1]
+        yield row.error("other", finding.code, finding.message, finding.mend)
+    elif finding.code == "node-gap":
+        own = [r for r in rows if {r.through, r.other} == set(finding.objects)]
+        for row in own:
+            if row.gap == finding.value:
+                fields = {key: getattr(finding, key) for key in ("value", "limit", "unit")}
+                yield row.error("gap", finding.code, finding.message, finding.mend, **fields)

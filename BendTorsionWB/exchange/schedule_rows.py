@@ -45,6 +45,8 @@ class Settings(Row):
     axis_tolerance: float
     default_material: str
     rule_pack: str
+    stock: str = ""
+    layer_names: str = ""
     bed_face: str = "auto"
     bed_plane: str = "fit"
     bed_spacing: float = 2000.0

@@ -103,7 +103,7 @@ def _welds(welds: Sequence[Weld]) -> Iterator[tuple]:
             math.degrees(prep.angle),
             prep.land,
             prep.gap,
-            prep.depth(weld.thickness[0]),
+            prep.depth(weld.cut_thickness),
             prep.leg or None,
             prep.side,
             "{:g}x{:g}".format(*prep.backing) if prep.backing else "",

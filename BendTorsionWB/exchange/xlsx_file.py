@@ -2,18 +2,19 @@
 """Tables as an xlsx file: one sheet each, ready to filter and print, the same bytes every time.
 
 Written directly because the usual library takes ten times as long for the tables of a building
-and stamps the time into every file.
+and stamps the time into every file. Rows hold their texts and tell no numbers of their own, so that
+those of each member can be made and packed by themselves (`row_block`), kept, and put together.
 """
 
 from __future__ import annotations
 
-import io
 import math
 import re
-import zipfile
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from xml.sax.saxutils import escape, quoteattr
+
+from .zip_parts import Packed, packed, zip_bytes
 
 TEXT = "@"
 WHOLE = "0"
@@ -24,6 +25,7 @@ STRAIN = "0.00E+00"
 _FORMATS = (WHOLE, TENTH, FINE, STRAIN)
 _A3, _A4 = 8, 9  # paper sizes as numbered in the format
 _WIDEST_ON_A4 = 200.0  # characters; wider tables are too small to read there
+_WIDEST_UPRIGHT = 100.0  # characters that are as large on A4 upright, with half as many pages
 _HEADER_STYLE = 1
 _TEXT_STYLE = 2
 _QUOTED_STYLE = 3  # text that looks like a formula stays text when the cell is edited
@@ -33,6 +35,7 @@ _NOT_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
 _MAIN = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
 _DOCUMENT = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
 _PACKAGE = "http://schemas.openxmlformats.org/package/2006"
+_LONGEST_TITLE = 80  # characters; a footer has at most 255 in all
 _HEAD = '<?xml version="1.0" encoding="UTF-8" standalone="yes"?>\n'
 
 
@@ -48,118 +51,138 @@ class Column:
 
 
 @dataclass(frozen=True)
+class RowBlock:
+    """Rows of a table made before: how many, and their text, packed."""
+
+    count: int
+    packed: Packed
+
+
+@dataclass(frozen=True)
 class Table:
     """A sheet: header row, rows of str, int, float or None; rows below the table as `notes`.
 
     NaN and infinite numbers are left empty. `notes` begin one row below the table and are not
-    part of its filter.
+    part of its filter. blocks: rows that stand before the others.
     """
 
     name: str
     columns: Sequence[Column]
     rows: Iterable[Sequence]
     notes: Sequence[Sequence] = ()
+    blocks: Sequence[RowBlock] = ()
 
 
 def xlsx_bytes(tables: Sequence[Table], title: str = "") -> bytes:
     """The xlsx file of `tables` in their order. Every text is a string cell, never a formula."""
-    strings: dict[str, int] = {}
-    sheets, heights = [], []
     units = list(dict.fromkeys(c.unit for table in tables for c in table.columns if c.unit))
+    sheets, heights = [], []
     for table in tables:
-        xml, height = _sheet(table, strings, units)
-        sheets.append(xml)
+        parts, height = _sheet(table, units, title)
+        sheets.append(parts)
         heights.append(height)
-    stream = io.BytesIO()
-    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED, compresslevel=3) as archive:
-        for name, content in (
-            ("[Content_Types].xml", _content_types(len(tables))),
-            ("_rels/.rels", _root_relations()),
-            ("docProps/core.xml", _core(title)),
-            ("xl/workbook.xml", _workbook(tables, heights)),
-            ("xl/_rels/workbook.xml.rels", _relations(len(tables))),
-            ("xl/styles.xml", _styles(units)),
-            *((f"xl/worksheets/sheet{n}.xml", xml) for n, xml in enumerate(sheets, start=1)),
-            ("xl/sharedStrings.xml", _shared_strings(strings)),
-        ):
-            member = zipfile.ZipInfo(name, date_time=(1980, 1, 1, 0, 0, 0))
-            member.create_system = 0
-            member.compress_type = zipfile.ZIP_DEFLATED
-            archive.writestr(member, content)
-    return stream.getvalue()
+    return zip_bytes(
+        (name, [packed(part) if isinstance(part, str) else part for part in parts])
+        for name, parts in (
+            ("[Content_Types].xml", [_content_types(len(tables))]),
+            ("_rels/.rels", [_root_relations()]),
+            ("docProps/core.xml", [_core(title)]),
+            ("xl/workbook.xml", [_workbook(tables, heights, bool(title))]),
+            ("xl/_rels/workbook.xml.rels", [_relations(len(tables))]),
+            ("xl/styles.xml", [_styles(units)]),
+            *((f"xl/worksheets/sheet{n}.xml", parts) for n, parts in enumerate(sheets, start=1)),
+        )
+    )
 
 
-def _sheet(table: Table, strings: dict[str, int], units: Sequence[str]) -> tuple[str, int]:
-    """XML of a sheet, and the number of the table's last row."""
+def row_block(table: Table) -> RowBlock:
+    """The rows of a table, for a table of the same columns."""
+    rows = _rows(table.rows, _number_styles(table))
+    return RowBlock(len(rows), packed("".join(rows)))
+
+
+def _sheet(
+    table: Table, units: Sequence[str], title: str
+) -> tuple[list[str | Packed], tuple[int, int]]:
+    """XML of a sheet in parts, and the numbers of the last rows of the table and of the sheet."""
     letters = [_letters(index) for index in range(len(table.columns))]
-    styles = [
-        _FIRST_NUMBER_STYLE + _FORMATS.index(column.format) if column.format in _FORMATS else 0
-        for column in table.columns
-    ]
-    number = 1
+    styles = _number_styles(table)
     heads = {"": _HEADER_STYLE}
     heads |= {unit: _FIRST_NUMBER_STYLE + len(_FORMATS) + k for k, unit in enumerate(units)}
-    header = "".join(
-        f'<c r="{letter}1" s="{heads[column.unit]}" t="s">'
-        f"<v>{_string(column.name, strings)}</v></c>"
-        for letter, column in zip(letters, table.columns)
-    )
-    rows = [f'<row r="1">{header}</row>']
-    for values in table.rows:
-        number += 1
-        rows.append(_row(number, values, letters, styles, strings))
-    last = number
-    for number, values in enumerate(table.notes, start=last + 2):
-        rows.append(_row(number, values, letters, styles, strings))
+    header = "".join(_text(column.name, heads[column.unit]) for column in table.columns)
+    rows = _rows(table.rows, styles)
+    last = 1 + sum(block.count for block in table.blocks) + len(rows)
+    notes = [f'<row r="{last + 2}">', *_rows(table.notes, styles)]
+    notes[:2] = [notes[0] + notes[1].removeprefix("<row>")] if table.notes else []
+    number = last + 1 + len(table.notes) if table.notes else last
     widths = "".join(
         f'<col min="{n}" max="{n}" width="{column.width:g}" customWidth="1"/>'
         for n, column in enumerate(table.columns, start=1)
     )
     area = f"A1:{letters[-1]}{last}"
-    paper = _A3 if sum(column.width for column in table.columns) > _WIDEST_ON_A4 else _A4
-    return (
+    wide = sum(column.width for column in table.columns)
+    paper = _A3 if wide > _WIDEST_ON_A4 else _A4
+    turned = "portrait" if wide <= _WIDEST_UPRIGHT else "landscape"
+    # A sign that codes begin with is doubled where it is meant.
+    whose = f"{title.replace('&', '&&')}: " if title else ""
+    footer = f"&L{whose}&A&Crevision ______ by ______&R&P / &N"
+    return [
         f'{_HEAD}<worksheet xmlns="{_MAIN}"><sheetPr><pageSetUpPr fitToPage="1"/></sheetPr>'
         f'<dimension ref="A1:{letters[-1]}{number}"/>'
         '<sheetViews><sheetView workbookViewId="0"><pane ySplit="1" topLeftCell="A2" '
         'activePane="bottomLeft" state="frozen"/><selection pane="bottomLeft" activeCell="A2" '
         'sqref="A2"/></sheetView></sheetViews><sheetFormatPr defaultRowHeight="15"/>'
-        f"<cols>{widths}</cols><sheetData>{''.join(rows)}</sheetData>"
+        f'<cols>{widths}</cols><sheetData><row r="1">{header}</row>',
+        *(block.packed for block in table.blocks if block.count),
+        f"{''.join(rows)}{''.join(notes)}</sheetData>"
         f'<autoFilter ref="{area}"/>'
         '<printOptions gridLines="1"/>'
         '<pageMargins left="0.4" right="0.4" top="0.5" bottom="0.6" header="0.3" footer="0.3"/>'
-        f'<pageSetup paperSize="{paper}" orientation="landscape" fitToWidth="1" fitToHeight="0"/>'
-        "<headerFooter><oddFooter>&amp;L&amp;A&amp;R&amp;P / &amp;N</oddFooter></headerFooter>"
-        "</worksheet>"
-    ), last
+        f'<pageSetup paperSize="{paper}" orientation="{turned}" fitToWidth="1" fitToHeight="0"/>'
+        f"<headerFooter><oddFooter>{escape(_NOT_XML.sub(' ', footer))}</oddFooter></headerFooter>"
+        "</worksheet>",
+    ], (last, number)
 
 
-def _row(
-    number: int, values: Sequence, letters: list[str], styles: list[int], strings: dict[str, int]
-) -> str:
-    cells = []
-    for letter, style, value in zip(letters, styles, values):
+def _number_styles(table: Table) -> list[int]:
+    """The style of numbers in each column."""
+    return [
+        _FIRST_NUMBER_STYLE + _FORMATS.index(column.format) if column.format in _FORMATS else 0
+        for column in table.columns
+    ]
+
+
+def _rows(rows: Iterable[Sequence], styles: Sequence[int]) -> list[str]:
+    return [f"<row>{_cells(values, styles)}</row>" for values in rows]
+
+
+def _cells(values: Sequence, styles: Sequence[int]) -> str:
+    cells, left = [], 0
+    for style, value in zip(styles, values):
+        cell = ""
         if type(value) is float:
             # Most cells are numbers; infinite ones and none at all are left empty.
             if value - value == 0.0:
-                cells.append(f'<c r="{letter}{number}" s="{style}"><v>{value!r}</v></c>')
+                cell = f'<c s="{style}"><v>{value!r}</v></c>'
         elif value is None or value == "":
-            continue
+            pass
         elif isinstance(value, str):
-            text_style = _QUOTED_STYLE if value.startswith(_FORMULA_STARTS) else _TEXT_STYLE
-            index = _string(value, strings)
-            cells.append(f'<c r="{letter}{number}" s="{text_style}" t="s"><v>{index}</v></c>')
+            cell = _text(value, _QUOTED_STYLE if value.startswith(_FORMULA_STARTS) else _TEXT_STYLE)
         elif isinstance(value, int):
-            cells.append(f'<c r="{letter}{number}" s="{style}"><v>{int(value)}</v></c>')
+            cell = f'<c s="{style}"><v>{int(value)}</v></c>'
         elif math.isfinite(value):
-            cells.append(f'<c r="{letter}{number}" s="{style}"><v>{float(value)!r}</v></c>')
-    return f'<row r="{number}">{"".join(cells)}</row>'
+            cell = f'<c s="{style}"><v>{float(value)!r}</v></c>'
+        # A cell without a place of its own stands beside the one before.
+        if cell:
+            cells.append("<c/>" * left + cell)
+        left = 0 if cell else left + 1
+    return "".join(cells)
 
 
-def _string(text: str, strings: dict[str, int]) -> int:
-    index = strings.get(text)
-    if index is None:
-        index = strings[text] = len(strings)
-    return index
+def _text(text: str, style: int) -> str:
+    plain = escape(_NOT_XML.sub(" ", text))
+    space = ' xml:space="preserve"' if plain != " ".join(plain.split()) else ""
+    return f'<c s="{style}" t="inlineStr"><is><t{space}>{plain}</t></is></c>'
 
 
 def _letters(index: int) -> str:
@@ -169,14 +192,6 @@ def _letters(index: int) -> str:
         index, rest = divmod(index - 1, 26)
         letters = chr(ord("A") + rest) + letters
     return letters
-
-
-def _shared_strings(strings: dict[str, int]) -> str:
-    items = "".join(
-        f'<si><t xml:space="preserve">{escape(_NOT_XML.sub(" ", text))}</t></si>'
-        for text in strings
-    )
-    return f'{_HEAD}<sst xmlns="{_MAIN}" uniqueCount="{len(strings)}">{items}</sst>'
 
 
 def _styles(units: Sequence[str]) -> str:
@@ -224,16 +239,23 @@ def _styles(units: Sequence[str]) -> str:
     )
 
 
-def _workbook(tables: Sequence[Table], heights: Sequence[int]) -> str:
+def _workbook(tables: Sequence[Table], heights: Sequence[tuple[int, int]], areas: bool) -> str:
     sheets = "".join(
         f'<sheet name={quoteattr(table.name)} sheetId="{n}" r:id="rId{n}"/>'
         for n, table in enumerate(tables, start=1)
     )
     names = []
-    for index, (table, last) in enumerate(zip(tables, heights)):
+    for index, (table, (last, _)) in enumerate(zip(tables, heights)):
         column = _letters(len(table.columns) - 1)
         names.append(
             f'<definedName name="_xlnm._FilterDatabase" localSheetId="{index}" hidden="1">'
+            f"'{table.name}'!$A$1:${column}${last}</definedName>"
+        )
+    # Not in workbooks without a title: rows are added to those by hand.
+    for index, (table, (_, last)) in enumerate(zip(tables, heights) if areas else ()):
+        column = _letters(len(table.columns) - 1)
+        names.append(
+            f'<definedName name="_xlnm.Print_Area" localSheetId="{index}">'
             f"'{table.name}'!$A$1:${column}${last}</definedName>"
         )
     for index, table in enumerate(tables):
@@ -256,8 +278,7 @@ def _relations(count: int) -> str:
     return (
         f'{_HEAD}<Relationships xmlns="{_PACKAGE}/relationships">{sheets}'
         f'<Relationship Id="rId{count + 1}" Type="{_DOCUMENT}/styles" Target="styles.xml"/>'
-        f'<Relationship Id="rId{count + 2}" Type="{_DOCUMENT}/sharedStrings" '
-        'Target="sharedStrings.xml"/></Relationships>'
+        "</Relationships>"
     )
 
 
@@ -290,7 +311,6 @@ def _content_types(count: int) -> str:
         '<Default Extension="xml" ContentType="application/xml"/>'
         f'<Override PartName="/xl/workbook.xml" ContentType="{office}.sheet.main+xml"/>{sheets}'
         f'<Override PartName="/xl/styles.xml" ContentType="{office}.styles+xml"/>'
-        f'<Override PartName="/xl/sharedStrings.xml" ContentType="{office}.sharedStrings+xml"/>'
         '<Override PartName="/docProps/core.xml" '
         'ContentType="application/vnd.openxmlformats-package.core-properties+xml"/></Types>'
     )

@@ -41,10 +41,9 @@ def fill(group: coin.SoSeparator, obj, wanted: set[str], frame_height: float):
             height = frame_height or RIBBON * framed.axis.length
             group.addChild(frame_ribbon.ribbon(framed, height))
         if wanted & {"ShowMarks", "ShowPoints"}:
-            record = _record(obj)
-            labels = plate_labels.mark_labels(record) if "ShowMarks" in wanted else []
+            labels = plate_labels.mark_labels(obj, _middles(obj)) if "ShowMarks" in wanted else []
             if "ShowPoints" in wanted:
-                lines, named = plate_labels.point_labels(record)
+                lines, named = plate_labels.point_labels(_record(obj))
                 labels += named
                 if lines is not None:
                     group.addChild(lines)
@@ -54,6 +53,14 @@ def fill(group: coin.SoSeparator, obj, wanted: set[str], frame_height: float):
     except BendTorsionError:
         pass  # The object's own findings say why, once it is recomputed.
     return None
+
+
+def _middles(obj) -> list[tuple]:
+    """Where the marks of a PlateSet stand, as saved with it: nothing has to be computed for a
+    building just opened. Documents of earlier releases do not have them."""
+    if len(obj.PlateMiddles) == len(obj.Marks):
+        return list(zip(obj.PlateMiddles, obj.PlateDirections, strict=True))
+    return plates_object.middles_of(plates_object.value(obj))
 
 
 def _record(obj) -> MemberRecord:

@@ -18,7 +18,7 @@ SEPARATOR = "Separator"
 FAMILIES = (commands_model, commands_plates, commands_view, commands_output, commands_files)
 TOOLBARS = {
     "BendTorsion Model": (
-        *("MembersFromSelection", "Surface", "Axis", "Section", "Member"),
+        *("ImportShapes", "MembersFromSelection", "Surface", "Axis", "Section", "Member"),
         *(SEPARATOR, "CutPoint", "Alignment", "MemberTable"),
     ),
     "BendTorsion Plates": (
@@ -28,7 +28,8 @@ TOOLBARS = {
     "BendTorsion View": ("ShowAs", "ShowFrames", "ShowMarks", "ShowPoints", "ColourBy"),
     "BendTorsion Output": (
         *("Check", "Findings", "Sheets", "ExportPackage", "Report"),
-        *(SEPARATOR, "ImportSchedule", "WriteSchedule", "Example", "Preferences"),
+        *(SEPARATOR, "ImportSchedule", "WriteSchedule", "Example"),
+        *(SEPARATOR, "Repair", "SupportBundle", "Preferences"),
     ),
 }
 """Names of the commands on each toolbar."""
@@ -40,6 +41,8 @@ MENUS = {
     "Schedule": ("ImportSchedule", "WriteSchedule"),
 }
 """Submenus of the workbench's menu."""
+OTHERS = ("Example", "Repair", "SupportBundle", "Preferences")
+"""What stands in the menu below them."""
 
 
 def commands() -> dict[str, Command]:
@@ -80,4 +83,4 @@ def lay_out(workbench) -> None:
         workbench.appendToolbar(name, full_names(names))
     for name, names in MENUS.items():
         workbench.appendMenu(["&BendTorsion", name], full_names(names))
-    workbench.appendMenu("&BendTorsion", full_names(("Example", "Preferences")))
+    workbench.appendMenu("&BendTorsion", full_names(OTHERS))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Commands for schedules and documents to start from."""
+"""Commands for schedules, documents to start from, documents to mend, reports of faults."""
 
 from __future__ import annotations
 
@@ -10,13 +10,29 @@ import FreeCADGui
 
 from BendTorsionWB.gui import ask, macro, resources, selection
 from BendTorsionWB.gui.command import Command
-from BendTorsionWB.gui.progress import progress
+from BendTorsionWB.gui.progress import PATIENCE, progress
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 WORKBOOKS = QT_TRANSLATE_NOOP("BendTorsion", "Schedule (*.xlsx)")
 DOCUMENTS = QT_TRANSLATE_NOOP("BendTorsion", "FreeCAD document (*.FCStd)")
+BUNDLES = QT_TRANSLATE_NOOP("BendTorsion", "Support bundle (*.zip)")
+GEOMETRY = QT_TRANSLATE_NOOP(
+    "BendTorsion", "Geometry (*.step *.stp *.iges *.igs *.brep *.brp *.STEP *.STP *.IGES *.IGS)"
+)
 HALL = Path("concert_hall") / "concert_hall.xlsx"
+
+
+def import_shapes(document) -> None:
+    """The faces and curves of a geometry file, in the document or in a new one."""
+    title = translate("BendTorsion", "Import shapes")
+    path = ask.open_file(title, translate("BendTorsion", GEOMETRY))
+    if path is None:
+        return
+    document = document or FreeCAD.newDocument(Path(path).stem)
+    with progress(title), macro.undo_step(document, title):
+        macro.on_files(document, "import_shapes", document, path)
+    FreeCADGui.SendMsgToActiveView("ViewFit")
 
 
 def import_schedule(document) -> None:
@@ -98,7 +114,48 @@ def example(document) -> None:
     _look_at_members(FreeCAD.ActiveDocument)
 
 
+def repair(document) -> None:
+    """Give objects back what computes them, after a document was saved without the workbench."""
+    title = translate("BendTorsion", "Repair document")
+    with progress(title, PATIENCE), macro.undo_step(document, title):
+        labels = macro.on_files(document, "repair", document)
+    if labels:
+        text = translate("BendTorsion", "Repaired: {count} objects")
+        ask.tell(text.format(count=len(labels)))
+    else:
+        ask.tell(translate("BendTorsion", "Nothing to repair: every object can be computed"))
+
+
+def support_bundle(document) -> None:
+    """What a report of a fault needs, in one file; with the document when one is open."""
+    title = translate("BendTorsion", "Support bundle")
+    path = ask.save_file(title, translate("BendTorsion", BUNDLES), ".zip")
+    if path is None:
+        return
+    with progress(title, PATIENCE):
+        if document is None:
+            names = macro.on_files(None, "write_support", path)
+        else:
+            names = macro.on_files(document, "write_support", path, document)
+    ask.tell(
+        translate("BendTorsion", "{file}: {names}; read them before you send them").format(
+            file=path, names=", ".join(names)
+        )
+    )
+
+
 COMMANDS = (
+    Command(
+        "ImportShapes",
+        QT_TRANSLATE_NOOP("BendTorsion_ImportShapes", "Import shapes"),
+        QT_TRANSLATE_NOOP(
+            "BendTorsion_ImportShapes",
+            "The faces and the curves of a STEP, IGES or BREP file, to select members from",
+        ),
+        "B, 0",
+        import_shapes,
+        needs_document=False,
+    ),
     Command(
         "ImportSchedule",
         QT_TRANSLATE_NOOP("BendTorsion_ImportSchedule", "Import schedule"),
@@ -127,6 +184,28 @@ COMMANDS = (
         ),
         "B, X",
         example,
+        needs_document=False,
+    ),
+    Command(
+        "Repair",
+        QT_TRANSLATE_NOOP("BendTorsion_Repair", "Repair document"),
+        QT_TRANSLATE_NOOP(
+            "BendTorsion_Repair",
+            "Make objects compute again that were saved by a FreeCAD without this workbench",
+        ),
+        "B, 7",
+        repair,
+    ),
+    Command(
+        "SupportBundle",
+        QT_TRANSLATE_NOOP("BendTorsion_SupportBundle", "Support bundle"),
+        QT_TRANSLATE_NOOP(
+            "BendTorsion_SupportBundle",
+            "Versions, preferences, findings and tables of the document in one file, for a report"
+            " of a fault; without names of users, machines and folders",
+        ),
+        "B, 8",
+        support_bundle,
         needs_document=False,
     ),
 )

@@ -81,22 +81,31 @@ def free_label(document, label: str) -> str:
 
 
 def surface(document) -> None:
-    """The picked faces as a Surface; without any, an ellipsoid whose kind and sizes are asked."""
+    """The picked faces as a Surface, or the sizes of the Surface picked; with nothing picked, an
+    ellipsoid whose kind and sizes are asked."""
     from BendTorsionWB.gui.panels_model import SurfacePanel
 
-    faces = selection.picked().faces
+    given = selection.picked()
+    faces, surfaces = given.faces, given.of_kind("Surface")
+    name = translate("BendTorsion", "Surface")
+    if surfaces and not faces:
+        one = selection.only(surfaces, "surfaces", "select one surface")
+        SurfacePanel(Preview(document, name, [one])).show()
+        return
+    if given != selection.Picked() and not faces:
+        raise selection.refusal("no face is selected", "select faces of one shape, or nothing")
     if len(faces) > 1:
         raise selection.refusal(
             f"{len(faces)} shapes are selected, one is needed",
             "select faces of one shape, or nothing for a dome by its sizes",
         )
     label = free_label(document, "Surface")
-    given = {"face": faces[0]} if faces else {}
+    source = {"face": faces[0]} if faces else {}
 
     def create(make):
-        return [make("make_surface", document, label, **given)]
+        return [make("make_surface", document, label, **source)]
 
-    SurfacePanel(Preview(document, translate("BendTorsion", "Surface"), create=create)).show()
+    SurfacePanel(Preview(document, name, create=create)).show()
 
 
 def axis(document) -> None:
@@ -183,7 +192,8 @@ def section(document) -> None:
     sections = selection.picked().of_kind("SectionSpec")
     name = translate("BendTorsion", "Section")
     if sections:
-        SectionPanel(Preview(document, name, sections[:1])).show()
+        one = selection.only(sections, "sections", "select one section")
+        SectionPanel(Preview(document, name, [one])).show()
         return
     label = free_label(document, "Section")
     preview = Preview(document, name, create=lambda make: [make("make_section", document, label)])
@@ -199,7 +209,8 @@ def member(document) -> None:
     name = translate("BendTorsion", "Member")
     if not axes:
         mend = "select an axis and a section, or a member to edit"
-        MemberPanel(Preview(document, name, selection.of_member(given, "Member", mend)[:1])).show()
+        one = selection.only(selection.of_member(given, "Member", mend), "members", mend)
+        MemberPanel(Preview(document, name, [one])).show()
         return
     if not sections:
         sections = [obj for obj in document.Objects if getattr(obj, "BT_Type", "") == "SectionSpec"]
@@ -222,10 +233,7 @@ def cut_point(document) -> None:
 
     mend = "click a member where the cut is to be"
     given = selection.picked()
-    members = selection.of_member(given, "Member", mend)
-    if len(members) > 1:
-        raise selection.refusal(f"{len(members)} members are selected, one is needed", mend)
-    target = members[0]
+    target = selection.only(selection.of_member(given, "Member", mend), "members", mend)
     points = [
         tuple(point)
         for item in FreeCADGui.Selection.getSelectionEx()
@@ -239,7 +247,7 @@ def cut_point(document) -> None:
         numbers.append(make("add_cut", target, place))
         return [target]
 
-    preview = Preview(document, translate("BendTorsion", "Cut point"), create=create)
+    preview = Preview(document, translate("BendTorsion", "Cut point"), [target], create)
     MemberPanel(preview, numbers[0]).show()
 
 
@@ -276,12 +284,12 @@ COMMANDS = (
         QT_TRANSLATE_NOOP("BendTorsion_Surface", "Surface"),
         QT_TRANSLATE_NOOP(
             "BendTorsion_Surface",
-            "The surface members follow: from selected faces of a shape; with nothing selected, a"
-            " dome, cylinder, cone, torus or plane by its sizes",
+            "The surface members follow: from selected faces of a shape, or the sizes of the one"
+            " selected; with nothing selected, a dome, cylinder, cone, torus or plane by its sizes",
         ),
         "B, U",
         surface,
-        ("Face",),
+        ("Face", "Surface"),
     ),
     Command(
         "Axis",

@@ -15,6 +15,7 @@ from BendTorsionWB.gui.progress import PATIENCE, progress
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 MEND = "select a member or its plates"
+ONE = "select one member or its plates"
 
 
 def plates(document) -> None:
@@ -26,7 +27,8 @@ def plates(document) -> None:
     members = selection.of_member(given, "Member", MEND)
     bare = [item for item in members if not users(item, "PlateSet")]
     if not bare:
-        PlatesPanel(Preview(document, name, users(members[0], "PlateSet")[:1])).show()
+        member = selection.only(members, "members", ONE)
+        PlatesPanel(Preview(document, name, users(member, "PlateSet")[:1])).show()
         return
     if len(bare) == 1:
         preview = Preview(
@@ -69,16 +71,21 @@ def welds(document) -> None:
 def _parts(document, table: str, name: str, icon: str) -> None:
     from BendTorsionWB.gui.plates_panel import PartsPanel
 
+    PartsPanel(Preview(document, name, [_own_plates()]), table, name, icon).show()
+
+
+def _own_plates():
+    """The PlateSet of the one member selected."""
     own = selection.of_member(selection.picked(), "PlateSet", MEND)
-    PartsPanel(Preview(document, name, own[:1]), table, name, icon).show()
+    return selection.only(own, "members", ONE)
 
 
 def splits(document) -> None:
     """The split editor of the selected plates."""
     from BendTorsionWB.gui.split_editor import SplitPanel
 
-    own = selection.of_member(selection.picked(), "PlateSet", MEND)
-    SplitPanel(Preview(document, translate("BendTorsion", "Split editor"), own[:1])).show()
+    name = translate("BendTorsion", "Split editor")
+    SplitPanel(Preview(document, name, [_own_plates()])).show()
 
 
 def node(document) -> None:
@@ -89,7 +96,8 @@ def node(document) -> None:
     name = translate("BendTorsion", "Node")
     nodes = given.of_kind("Node")
     if nodes:
-        NodePanel(Preview(document, name, nodes[:1])).show()
+        one = selection.only(nodes, "nodes", "select one node")
+        NodePanel(Preview(document, name, [one])).show()
         return
     mend = "select the member that runs through, then the one that ends on it; or a node to edit"
     members = selection.of_member(given, "Member", mend)

@@ -6,8 +6,10 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui
 
+from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.gui import ask, macro, member_display, selection
 from BendTorsionWB.gui.command import Command
+from BendTorsionWB.gui.progress import PATIENCE, progress
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -29,12 +31,12 @@ def show_frames(document) -> None:
 
 def show_marks(document) -> None:
     """Marks of the selected members' plates, on or off."""
-    _toggle(document, "ShowMarks")
+    _toggle(document, "ShowMarks", translate("BendTorsion", "Show marks"))
 
 
 def show_points(document) -> None:
     """Station lines and point labels of the selected members' plates, on or off."""
-    _toggle(document, "ShowPoints")
+    _toggle(document, "ShowPoints", translate("BendTorsion", "Show points"))
 
 
 def show_as(document) -> None:
@@ -58,17 +60,32 @@ def colour_by(document) -> None:
     chosen = ask.choice(title, title, list(words))
     if chosen is None:
         return
-    with macro.undo_step(document, title):
-        for item in plates:
-            macro.put(item, "ColourBy", words[chosen])
-        macro.recompute()
+    with progress(title, PATIENCE) as report, macro.undo_step(document, title):
+        # What is laid flat is kept; told one by one, the user sees how far it is and can stop.
+        for done, item in enumerate(plates):
+            report(item.Label, done, len(plates))
+            _laid_flat(item)
+        macro.make("colour_by", plates, words[chosen])
 
 
-def _toggle(document, name: str) -> None:
+def _laid_flat(plates) -> None:
+    """Lay the plates of a PlateSet flat, which `core.memo` keeps; nothing for what is in error."""
+    from BendTorsionWB.core import detailing
+    from BendTorsionWB.objects import plate_set
+
+    try:
+        detailing.record_of(plate_set.value(plates))
+    except BendTorsionError:
+        pass  # It has no colours, and its own findings say why.
+
+
+def _toggle(document, name: str, title: str) -> None:
     plates = _plates(document)
     shown = all(getattr(item.ViewObject, name) for item in plates)
-    for item in plates:
-        _show(item, name, not shown)
+    with progress(title, PATIENCE) as report:
+        for done, item in enumerate(plates):
+            report(item.Label, done, len(plates))
+            _show(item, name, not shown)
 
 
 def _show(obj, name: str, value: bool) -> None:
@@ -145,7 +162,8 @@ COMMANDS = (
         QT_TRANSLATE_NOOP("BendTorsion_ColourBy", "Colour by"),
         QT_TRANSLATE_NOOP(
             "BendTorsion_ColourBy",
-            "Colour plates by strain, length error, forming class or thickness, with a legend",
+            "Colour plates by strain, length error, forming class, thickness and more, all selected"
+            " members on one scale, with a legend",
         ),
         "B, Z",
         colour_by,

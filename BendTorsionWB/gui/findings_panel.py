@@ -51,7 +51,7 @@ def owner(document, obj, finding: Finding) -> tuple[object, str]:
         if getattr(plates, "BT_Type", "") == "PlateSet" and finding.object in plates.Marks:
             names = make.sub_elements(plates, finding.object, "outer")
             return plates, names[0] if names else ""
-    named = [item for item in document.Objects if item.Label == finding.object]
+    named = [item for item in document.Objects if item.Label in finding.objects]
     return (named[0] if named else obj), ""
 
 
@@ -164,6 +164,8 @@ class FindingsPanel(DocumentDock):
 
     def show_row(self, row: int) -> None:
         """Select the object of a finding and go to its place."""
+        if not 0 <= row < len(self.found):
+            return
         obj, finding = self.found[row]
         obj, sub = owner(self.document, obj, finding)
         FreeCADGui.Selection.clearSelection()

@@ -21,6 +21,7 @@ ICONS = {
     "AssemblyBed": "BendTorsion_AssemblyBed",
     "SheetSet": "BendTorsion_Sheets",
     "ArrangementSet": "BendTorsion_Sheets",
+    "NodeSheets": "BendTorsion_Sheets",
 }
 """The icon of a kind is that of the command that makes it; the workbench's where there is none."""
 

@@ -5,6 +5,10 @@ from __future__ import annotations
 
 import math
 
+import FreeCAD
+
+translate = FreeCAD.Qt.translate
+
 
 def joints_text(plates, face: str) -> str:
     """The joints of a face of a PlateSet."""
@@ -29,11 +33,13 @@ def parse_joints(text: str) -> list[float] | str:
     try:
         values = [float(word) for word in words]
     except ValueError as problem:
-        raise ValueError("write auto, or numbers such as 4000 8000 or 0.5 1") from problem
+        raise ValueError(
+            translate("BendTorsion", "write auto, or numbers such as 4000 8000 or 0.5 1")
+        ) from problem
     if any(not math.isfinite(v) or v <= 0.0 for v in values):
-        raise ValueError("joints must be above 0")
+        raise ValueError(translate("BendTorsion", "joints must be above 0"))
     if any(b <= a for a, b in zip(values, values[1:], strict=False)):
-        raise ValueError("joints must rise")
+        raise ValueError(translate("BendTorsion", "joints must rise"))
     if values and min(values) <= 1.0 < max(values):
-        raise ValueError("ratios up to 1 and mm are mixed")
+        raise ValueError(translate("BendTorsion", "ratios up to 1 and mm are mixed"))
     return values

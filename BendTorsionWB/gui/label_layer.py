@@ -15,9 +15,9 @@ from dataclasses import dataclass
 import numpy as np
 from pivy import coin
 
-PER_LETTER, PER_LINE = 0.66, 1.5
+PER_LETTER, PER_LINE = 0.86, 1.5
 """Width of a letter and height of a line as parts of the size of a text."""
-FRAME = 8.0
+FRAME = 10.0
 """Pixels of the frame around a text, both sides."""
 CELL = 8.0
 """Pixels: the screen is shared out in cells this wide and high."""

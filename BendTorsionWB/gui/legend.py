@@ -7,6 +7,7 @@ import FreeCAD
 import FreeCADGui
 from pivy import coin
 
+from BendTorsionWB.core.colour_scale import CLASS_COLOURS
 from BendTorsionWB.gui.qt import QtCore, QtGui
 
 translate = FreeCAD.Qt.translate
@@ -24,6 +25,11 @@ TITLES = {
 }
 ROW, SWATCH, MARGIN = 20, 26, 10
 MOST_NAMES = 3
+STEPPED = {
+    "thickness": lambda line: float(line.split()[1]),
+    "forming": lambda line: list(CLASS_COLOURS).index(line.split(" ", 1)[1]),
+}
+"""Legends of single values, and what orders their lines; others are scales."""
 _waiting: set[str] = set()
 _drawn: set[str] = set()
 """Names of documents whose legend is to be drawn anew, and of those that have one."""
@@ -42,7 +48,22 @@ def entries(document) -> dict[tuple, list[str]]:
     for obj in document.Objects:
         if getattr(obj, "ColourBy", "none") != "none" and obj.Legend and obj.ViewObject.Visibility:
             found.setdefault((obj.ColourBy, tuple(obj.Legend)), []).append(obj.Label)
-    return found
+    return _joined(found)
+
+
+def _joined(found: dict[tuple, list[str]]) -> dict[tuple, list[str]]:
+    """Legends of thicknesses or classes as one, where no colour means two things."""
+    joined: dict[tuple, list[str]] = {}
+    for by in dict.fromkeys(by for by, _ in found):
+        own = {lines: labels for (of, lines), labels in found.items() if of == by}
+        steps = list(dict.fromkeys(line for lines in own for line in lines))
+        colours, texts = (set(part) for part in zip(*(s.split(" ", 1) for s in steps), strict=True))
+        if by in STEPPED and len(colours) == len(texts) == len(steps):
+            steps.sort(key=STEPPED[by])
+            joined[by, tuple(steps)] = [label for labels in own.values() for label in labels]
+        else:
+            joined |= {(by, lines): labels for lines, labels in own.items()}
+    return joined
 
 
 def _update(name: str) -> None:

@@ -88,11 +88,13 @@ def recompute(progress=None, objects=()) -> None:
 def undo_step(document, name: str):
     """Everything inside is one undo step; an exception takes all of it back."""
     document.openTransaction(name)
+    key = document.Name
     try:
         begin(document)
         yield
     except BaseException:
-        document.abortTransaction()
+        if key in FreeCAD.listDocuments():
+            document.abortTransaction()
         raise
     document.commitTransaction()
 

@@ -181,17 +181,10 @@ class MemberPanel(TaskPanel):
 
     def _add(self) -> None:
         """Divide the segment shown in its middle."""
-        from BendTorsionWB.objects.segment_edit import add_cut
+        from BendTorsionWB.objects.segment_edit import add_cut, middle_of
 
-        length = self.member.Axis.Length.Value if self.member.Axis else 0.0
-        cuts = [
-            0.0,
-            *(getattr(self.member, f"Cut{k}").Value for k in range(2, self.member.Segments + 1)),
-        ]
-        ends = [*cuts[1:], length]
         try:
-            k = self.segment - 1
-            new = add_cut(self.member, round(0.5 * (cuts[k] + ends[k]), 1))
+            new = add_cut(self.member, middle_of(self.member, self.segment))
         except BendTorsionError as problem:
             self.findings.setText(str(problem))
             return
@@ -228,13 +221,10 @@ class MemberPanel(TaskPanel):
             return
         self.cut_at(place)
 
-    def _end(self, finish) -> None:
-        self._pick(False)
-        super()._end(finish)
-
     def stop(self) -> None:
         """Take the cuts out of the 3D view."""
         super().stop()
+        self._pick(False)
         if self.dragger is not None:
             self.dragger.stop()
 

@@ -8,9 +8,12 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+import FreeCAD
+
 from BendTorsionWB.core.members.segment import ALIGN_TO, ALIGNMENTS, TRANSITIONS
 from BendTorsionWB.gui.joint_words import joints_text, parse_joints
 
+translate = FreeCAD.Qt.translate
 COLUMNS = (
     *("member", "segment", "section", "cut", "slope", "transition", "align", "align_to"),
     *("offset_y", "offset_z", "top", "bottom", "left", "right"),
@@ -57,11 +60,19 @@ class Row:
 
     def is_locked(self, column: str) -> bool:
         """Whether the cell has no meaning in this row."""
+        return bool(self.lock_reason(column))
+
+    def lock_reason(self, column: str) -> str:
+        """Why the cell has no meaning in this row; empty when it has one."""
         if column in ("member", "segment"):
-            return True
-        if column in ("cut", "slope", "transition"):
-            return not self._has_cut()
-        return column in FACES and self.plates is None
+            return translate("BendTorsion", "names and numbers are those of the model")
+        if column in ("cut", "slope", "transition") and not self._has_cut():
+            return translate("BendTorsion", "the first segment starts with the axis")
+        if column in FACES and self.segment > 1:
+            return translate("BendTorsion", "joints stand with the first segment")
+        if column in FACES and self.plates is None:
+            return translate("BendTorsion", "the member has no plates")
+        return ""
 
     def choices(self, column: str) -> list[str]:
         """The texts the cell can have, where they can be counted."""
@@ -80,12 +91,13 @@ class Row:
         if column == "slope":
             slope = _number(text)
             if slope < 0.0:
-                raise ValueError("a slope is 0 or more")
+                raise ValueError(translate("BendTorsion", "a slope is 0 or more"))
             return [(self.member, f"Slope{k}", slope)]
         if column in _CHOICES:
             name, choices = _CHOICES[column]
             if text not in choices:
-                raise ValueError(f"{text!r} is none of {', '.join(choices)}")
+                words = translate("BendTorsion", "{text!r} is none of {choices}")
+                raise ValueError(words.format(text=text, choices=", ".join(choices)))
             return [(self.member, f"{name}{k}", text)]
         if column in _LENGTHS:
             return [(self.member, f"{_LENGTHS[column]}{k}", _number(text or "0"))]
@@ -115,7 +127,8 @@ class Row:
         for obj in self.member.Document.Objects:
             if getattr(obj, "BT_Type", "") == "SectionSpec" and obj.Label == label:
                 return obj
-        raise ValueError(f"there is no section {label!r}")
+        words = translate("BendTorsion", "there is no section {name!r}")
+        raise ValueError(words.format(name=label))
 
 
 def rows_of(document) -> list[Row]:
@@ -171,11 +184,11 @@ def _cut_of(text: str) -> dict[str, object]:
     if text.endswith("%"):
         ratio = _number(text[:-1]) / 100.0
         if not 0.0 < ratio < 1.0:
-            raise ValueError("a cut lies between 0% and 100%")
+            raise ValueError(translate("BendTorsion", "a cut lies between 0% and 100%"))
         return {"CutBy": "place", "CutRatio": ratio}
     place = _number(text)
     if place <= 0.0:
-        raise ValueError("a cut lies behind the start of the axis")
+        raise ValueError(translate("BendTorsion", "a cut lies behind the start of the axis"))
     return {"CutBy": "place", "CutRatio": 0.0, "Cut": place}
 
 
@@ -183,9 +196,11 @@ def _number(text: str) -> float:
     try:
         value = float(text.replace(",", "."))
     except ValueError as problem:
-        raise ValueError(f"{text!r} is not a number") from problem
+        words = translate("BendTorsion", "{text!r} is not a number")
+        raise ValueError(words.format(text=text)) from problem
     if not math.isfinite(value):
-        raise ValueError(f"{text!r} is not a number of use")
+        words = translate("BendTorsion", "{text!r} is not a number of use")
+        raise ValueError(words.format(text=text))
     return value
 
 

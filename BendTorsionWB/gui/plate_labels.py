@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 from pivy import coin
 
-from BendTorsionWB.core.lofting import DevelopedPlate, MemberRecord
+from BendTorsionWB.core.lofting import MemberRecord
 from BendTorsionWB.gui.label_layer import Label
 
 MARK_LIFT = 0.15
@@ -21,19 +21,21 @@ POINT_COLOURS = ("0.3 0.05 0.05", "1 0.93 0.85")
 """Of text and of the ground it stands on, to be read on light and dark views."""
 
 
-def mark_labels(record: MemberRecord) -> list[Label]:
-    """The mark of each plate beside the middle of its outer face."""
-    return [
-        Label(
-            plate.mark,
-            _middle(plate),
-            MARK_COLOURS,
-            15,
-            plate.length,
-            normal=plate.placing[2, :3],
-        )
-        for plate in record.plates
-    ]
+def mark_labels(obj, middles) -> list[Label]:
+    """The mark of each plate of a PlateSet beside the middle of its outer face; middles: (place,
+    outward) of each, as `plate_middles.middle`."""
+    labels = []
+    for mark, (place, outward), solid in zip(obj.Marks, middles, obj.Shape.Solids, strict=False):
+        at, direction = np.array(tuple(place)), np.array(tuple(outward))
+        room = solid.BoundBox.DiagonalLength
+        lifted = at + MARK_LIFT * direction
+        labels.append(Label(mark, lifted, MARK_COLOURS, 15, room, normal=unit(direction)))
+    return labels
+
+
+def unit(direction: np.ndarray) -> np.ndarray:
+    """A direction as long as 1."""
+    return direction / max(float(np.linalg.norm(direction)), 1e-12)
 
 
 def point_labels(record: MemberRecord) -> tuple[coin.SoSeparator | None, list[Label]]:
@@ -68,21 +70,6 @@ def beside(middles: np.ndarray) -> np.ndarray:
         return middles
     steps = np.diff(middles, axis=0)
     return middles + BESIDE * np.concatenate([steps, steps[-1:]])
-
-
-def _middle(plate: DevelopedPlate) -> np.ndarray:
-    """Above the middle of a plate's outer face."""
-    arris = [point for point in plate.points if point.kind == "arris"]
-    if not arris:
-        return plate.centre_of_gravity
-    s = 0.5 * (plate.s_start + plate.s_end)
-    middle = min((point.line for point in arris), key=lambda line: _distance(arris, line, s))
-    places = [point.xyz for point in arris if point.line == middle]
-    return np.mean(places, axis=0) + MARK_LIFT * plate.width * plate.placing[2, :3]
-
-
-def _distance(arris, line: str, s: float) -> float:
-    return min(abs(point.s - s) for point in arris if point.line == line)
 
 
 def _lines(ends: np.ndarray) -> coin.SoSeparator:

@@ -93,7 +93,22 @@ class PartsPanel(TaskPanel):
         )
         self.rows.resizeColumnsToContents()
         self.rows.edited.connect(lambda _: self._read())
+        self.rows.choices = self._choices
         self.body.addWidget(self.rows)
+        hint = QtWidgets.QLabel(
+            translate(
+                "BendTorsion",
+                "Type rows, or paste them from a spreadsheet; headings tell what they mean when"
+                " the mouse is over them",
+            )
+        )
+        hint.setObjectName("hint")
+        hint.setWordWrap(True)
+        self.body.addWidget(hint)
+
+    def _choices(self, row: int, column: int) -> list[str]:
+        """The faces, where one is asked for."""
+        return faces_of(self.plates) if self.columns[column] == "face" else []
 
     def _read(self) -> None:
         """Take the rows over when all can be read; mark those that cannot."""

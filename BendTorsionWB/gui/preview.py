@@ -13,15 +13,24 @@ from BendTorsionWB.gui import macro, tree
 
 
 class Preview:
-    """objects: what is edited. create: makes them when they are new: called with a function that
-    makes an object, as `make("make_section", document, "Section")`; returns the objects."""
+    """objects: what is edited. create: makes them when they are new, or changes `objects` by more
+    than values: called with a function that makes an object, as `make("make_section", document,
+    "Section")`; returns what is edited from then on."""
 
     def __init__(self, document, name: str, objects: Sequence = (), create: Callable | None = None):
+        # Here, not above: the workbench opens without loading Part.
+        from BendTorsionWB.objects.repair import refuse_bare
+
         self.document, self.name, self.create = document, name, create
+        self.objects, self.made = list(objects), set()
+        refuse_bare(objects)
+        self.former = [(obj, _inputs(obj), _bound(obj)) for obj in objects]
+        there = {obj.Name for obj in document.Objects}
         document.openTransaction(name)
         try:
-            self.objects = list(create(_make_unrecorded)) if create else list(objects)
             if create:
+                self.objects = list(create(_make_unrecorded))
+                self.made = {obj.Name for obj in document.Objects} - there
                 tree.TRIED.update(obj.Name for obj in self.objects)
             document.recompute()
         except BaseException:
@@ -61,6 +70,35 @@ class Preview:
         """Take everything back."""
         tree.TRIED.clear()
         self.document.abortTransaction()
+        self._put_back()
+
+    def leave(self) -> None:
+        """End it for an object that was deleted: the deletion stands, what was new goes."""
+        if self.create:
+            self.cancel()
+        else:
+            self.document.commitTransaction()
+
+    def _put_back(self) -> None:
+        """Take back what the abort did not: another command had ended the transaction."""
+        left = [obj.Name for obj in self.document.Objects if obj.Name in self.made]
+        for name in left:
+            self.document.removeObject(name)
+        changed = bool(left)
+        here = {obj.Name for obj in self.document.Objects}
+        for obj, inputs, bound in self.former:
+            if not (is_there(obj) and obj.Name in here):
+                continue
+            for name in {**_bound(obj), **bound}:
+                if _bound(obj).get(name) != bound.get(name):
+                    obj.setExpression(name, bound.get(name))
+                    changed = True
+            for name, value in inputs.items():
+                if name not in obj.PropertiesList or not _same(getattr(obj, name), value):
+                    setattr(obj, name, value)
+                    changed = True
+        if changed:
+            self.document.recompute()
 
 
 def _make_unrecorded(function: str, *arguments, **named):
@@ -84,6 +122,14 @@ def _inputs(obj) -> dict[str, object]:
         if name.startswith(("Joints", "Lanes")) and name not in names and name not in outputs
     ]
     return {name: getattr(obj, name) for name in dict.fromkeys(names)}
+
+
+def is_there(obj) -> bool:
+    """Whether an object, or a document, was not deleted meanwhile."""
+    try:
+        return bool(obj.Name)
+    except ReferenceError:
+        return False
 
 
 def _bound(obj) -> dict[str, str]:

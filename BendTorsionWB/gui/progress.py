@@ -27,9 +27,10 @@ class Cancelled(Exception):
 @contextmanager
 def progress(title: str, patience: float = 0.0):
     """A `project.Progress`, which `make_files` tells too, that shows a dialog with Cancel once the
-    work has lasted `patience` seconds; it raises Cancelled once that is pressed, so that the work
-    stops between two of its steps."""
+    work has lasted `patience` seconds; it raises Cancelled once that is pressed, or once a document
+    was closed that was open when it began, so that the work stops between two of its steps."""
     started = time.monotonic()
+    open_before = set(FreeCAD.listDocuments())
     dialog = QtWidgets.QProgressDialog(FreeCADGui.getMainWindow())
     dialog.setWindowTitle(title)
     dialog.setLabelText(title)
@@ -50,9 +51,11 @@ def progress(title: str, patience: float = 0.0):
         dialog.setMaximum(max(count, 1))
         dialog.setValue(done)
         QtWidgets.QApplication.processEvents()
-        if dialog.wasCanceled():
+        if dialog.wasCanceled() or not open_before <= set(FreeCAD.listDocuments()):
             raise Cancelled
 
+    window, stay = FreeCADGui.getMainWindow(), _Stay()
+    window.installEventFilter(stay)
     # Here: the workbench opens without loading scipy.
     from BendTorsionWB.make_files import PROGRESS
 
@@ -62,5 +65,17 @@ def progress(title: str, patience: float = 0.0):
         yield report
     finally:
         PROGRESS.reset(former)
+        window.removeEventFilter(stay)
         dialog.close()
         dialog.deleteLater()
+
+
+class _Stay(QtCore.QObject):
+    """Keeps the window open: FreeCAD would close the documents under the work."""
+
+    def eventFilter(self, window, event):
+        """Called by Qt before the window has the event."""
+        if event.type() != QtCore.QEvent.Close:
+            return False
+        event.ignore()
+        return True

@@ -16,13 +16,16 @@ BAD = "#d9534f"
 
 class RowTable(QtWidgets.QTableWidget):
     """Rows of text. `edited` is told the cells written, {(row, column): text}, once per action:
-    typing, pasting, filling down or clearing. Cells given in `locked` cannot be written.
+    typing, pasting, filling down or clearing. Cells given in `locked` cannot be written; texts for
+    them, and for cells beyond the table, go to `left_out` likewise.
 
     judge: (row, column, text) -> why a text cannot be, told while it is typed. choices: (row,
-    column) -> the texts that can be, offered while one is typed.
+    column) -> the texts that can be, offered while one is typed. keys: what keys do in the table,
+    kept from FreeCAD's shortcuts: Del would delete what is selected in the tree.
     """
 
     edited = QtCore.Signal(object)
+    left_out = QtCore.Signal(object)
 
     def __init__(self, headings, grows: bool = False):
         super().__init__(0, len(headings))
@@ -35,6 +38,16 @@ class RowTable(QtWidgets.QTableWidget):
         self.judge: Callable[[int, int, str], str] = lambda row, column, text: ""
         self.choices: Callable[[int, int], list[str]] = lambda row, column: []
         self.setItemDelegate(_Cell(self))
+        self.keys: list[tuple[QtGui.QKeySequence, Callable[[], None]]] = [
+            *((key, self.copy) for key in QtGui.QKeySequence.keyBindings(QtGui.QKeySequence.Copy)),
+            *(
+                (key, self.paste)
+                for key in QtGui.QKeySequence.keyBindings(QtGui.QKeySequence.Paste)
+            ),
+            (QtGui.QKeySequence("Ctrl+D"), self.fill_down),
+            (QtGui.QKeySequence("Del"), self.clear_cells),
+            (QtGui.QKeySequence("Backspace"), self.clear_cells),
+        ]
 
     def show_rows(self, rows, locked=()) -> None:
         """Show rows of text, with an empty one at the end when the table grows."""
@@ -76,18 +89,32 @@ class RowTable(QtWidgets.QTableWidget):
         item.setToolTip(reason)
         self.blockSignals(False)
 
+    def event(self, event):
+        """Keep the keys of the table from FreeCAD's shortcuts."""
+        if event.type() == QtCore.QEvent.ShortcutOverride and self._meant(event) is not None:
+            event.accept()
+            return True
+        return super().event(event)
+
     def keyPressEvent(self, event):
-        """Copy, paste, fill down (Ctrl+D), clear."""
-        if event.matches(QtGui.QKeySequence.Copy):
-            self.copy()
-        elif event.matches(QtGui.QKeySequence.Paste):
-            self.paste()
-        elif event.key() == QtCore.Qt.Key_D and event.modifiers() == QtCore.Qt.ControlModifier:
-            self.fill_down()
-        elif event.key() in (QtCore.Qt.Key_Delete, QtCore.Qt.Key_Backspace):
-            self.write(dict.fromkeys(self._selected(), ""))
-        else:
+        """Copy, paste, fill down, clear, and what else is among the keys."""
+        action = self._meant(event)
+        if action is None:
             super().keyPressEvent(event)
+        else:
+            action()
+            event.accept()
+
+    def _meant(self, event) -> Callable[[], None] | None:
+        modifiers = event.modifiers() & ~QtCore.Qt.KeypadModifier
+        # Flags of PySide2 are numbers, those of PySide6 have one.
+        held = int(getattr(modifiers, "value", modifiers))
+        pressed = QtGui.QKeySequence(held | int(event.key()))
+        return next((action for key, action in self.keys if key == pressed), None)
+
+    def clear_cells(self) -> None:
+        """Empty the selected cells."""
+        self.write(dict.fromkeys(self._selected(), ""))
 
     def copy(self) -> None:
         """The selected block as tab-separated text; cells that are not selected are empty."""
@@ -134,20 +161,25 @@ class RowTable(QtWidgets.QTableWidget):
         self.write({(r, c): tops[c] for r, c in cells})
 
     def write(self, cells) -> None:
-        """Write texts into cells and tell; what lies outside or is locked is left out."""
+        """Write texts into cells and tell; what lies outside or is locked is told as left out,
+        unless it says what is there."""
         self.blockSignals(True)
-        written = {}
+        written, left_out = {}, {}
         for (r, c), text in sorted(cells.items()):
-            if c >= self.columnCount() or (r, c) in self.locked:
-                continue
-            while self.grows and r >= self.rowCount() - 1:
+            while self.grows and c < self.columnCount() and r >= self.rowCount() - 1:
                 self._add_row()
-            if r < self.rowCount():
-                self.item(r, c).setText(text)
-                written[r, c] = text
+            item = self.item(r, c)
+            if item is None or (r, c) in self.locked:
+                if text and (item is None or item.text() != text):
+                    left_out[r, c] = text
+                continue
+            item.setText(text)
+            written[r, c] = text
         self.blockSignals(False)
         if written:
             self.edited.emit(written)
+        if left_out:
+            self.left_out.emit(left_out)
 
     def _add_row(self) -> None:
         row = self.rowCount()

@@ -113,7 +113,7 @@ def _along(obj) -> list:
         if source is None:
             break
         chain.append(source)
-    pending = [obj]
+    pending = [obj, *(item for item in chain[1:] if item.BT_Type == "PlateSet")]
     while pending:
         users = [
             user
@@ -132,6 +132,14 @@ def standing_for(obj, kind: str):
     if kind == "Axis":
         chain += [item.Axis for item in members if item.Axis is not None]
     return next((item for item in chain if item.BT_Type == kind), None)
+
+
+def only(items: list, words: str, mend: str):
+    """The one of some selected objects; raises BendTorsionError (`selection`) for several, of which
+    none is meant more than the others."""
+    if len(items) > 1:
+        raise refusal(f"{len(items)} {words} are selected, one is needed", mend)
+    return items[0]
 
 
 def refusal(message: str, mend: str) -> BendTorsionError:

@@ -13,7 +13,15 @@ from BendTorsionWB.gui.plates_panel import faces_of
 from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.property_form import PropertyForm, quantity_field
 from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
-from BendTorsionWB.gui.split_scene import BROKEN, KEPT, LEFT, JointItem, PlateItem, rows_of
+from BendTorsionWB.gui.split_scene import (
+    BROKEN,
+    KEPT,
+    LEFT,
+    JointItem,
+    PlateItem,
+    by_lane,
+    rows_of,
+)
 from BendTorsionWB.gui.task_panel import TaskPanel
 
 translate = FreeCAD.Qt.translate
@@ -39,7 +47,8 @@ RULE_WORDS = {
 
 
 class SplitPanel(TaskPanel):
-    """Developed strips of all faces of a PlateSet; joints are dragged, typed, added, removed."""
+    """Developed strips of all faces of a PlateSet, lanes of a face below each other; joints are
+    dragged, typed, added, removed, and are those of all lanes of their face."""
 
     def __init__(self, preview: Preview):
         super().__init__(preview, translate("BendTorsion", "Split editor"), "BendTorsion_Splits")
@@ -85,8 +94,6 @@ class SplitPanel(TaskPanel):
 
     def margins(self, face: str, k: int) -> tuple[Margin, ...]:
         """What the rules say of a joint where it stands now."""
-        from BendTorsionWB.core import rules
-
         member = self.made.geometry.member
         cuts = {name: self._cuts(name) for name in self.rows}
         number = cuts[face].index(self.joints[face][k]) - 1
@@ -94,7 +101,7 @@ class SplitPanel(TaskPanel):
             face,
             number,
             cuts,
-            rules.joint_rules(self.plates.RulePack),
+            self.made.given.rules.within_stock(member.law.plate_kinds),
             self.adjacent,
             member.law.folds,
             self.made.given.keep_outs(
@@ -231,8 +238,12 @@ class SplitPanel(TaskPanel):
             face: [plate for plate in developed if plate.face == face and plate.lines]
             for face in faces_of(self.plates)
         }
-        laid = {face: face_strip(plates) for face, plates in own.items() if plates}
-        self.rows, larger = rows_of({face: strip for face, strip in laid.items() if strip})
+        lanes = by_lane(own, {item.plate.mark: item.plate.lane.letter for item in made.plates})
+        laid = {lane: face_strip(plates) for lane, plates in lanes.items()}
+        rows, larger = rows_of({lane: strip for lane, strip in laid.items() if strip})
+        self.rows = {face: {} for face, _ in rows}
+        for (face, letter), row in rows.items():
+            self.rows[face][letter] = row
         self.scene.clear()
         for face in self.rows:
             self.joints[face] = self._joints_of(face, own[face])
@@ -241,8 +252,8 @@ class SplitPanel(TaskPanel):
                 for s in sorted({round(plate.s_start, 3) for plate in own[face]})[1:]
                 if all(abs(s - joint) > SAME for joint in self.joints[face])
             ]
-        for face, row in self.rows.items():
-            self._draw_row(face, row, own[face])
+        for (face, letter), row in rows.items():
+            self._draw_row(face, letter, row, lanes[face, letter])
         bounds = self.scene.itemsBoundingRect().adjusted(-6, -6, 6, 6)
         self.scene.setSceneRect(bounds)
         self.view.show_all()
@@ -255,9 +266,9 @@ class SplitPanel(TaskPanel):
         else:
             self._summary()
 
-    def _draw_row(self, face: str, row, plates) -> None:
+    def _draw_row(self, face: str, letter: str, row, plates) -> None:
         ink = self.form.palette().color(QtGui.QPalette.Text)
-        name = self.scene.addSimpleText(translate("BendTorsion", face))
+        name = self.scene.addSimpleText(f"{translate('BendTorsion', face)} {letter}".strip())
         name.setBrush(ink)
         start = row.line(float(row.strip.s[0])).center()
         name.setPos(-LEFT, start.y() - 8.0)
@@ -294,11 +305,13 @@ class SplitPanel(TaskPanel):
         return [round(s, 1) for s in given if s < self.length - CLEAR]
 
     def _focus_on(self, face: str, k: int) -> None:
-        for item in self.scene.items():
-            if isinstance(item, JointItem) and (item.face, item.k) == (face, k):
-                self.scene.setFocusItem(item)
-                item.show_at(self.joints[face][k])
-                self.chosen(face, k)
+        every = [item for item in self.scene.items() if isinstance(item, JointItem)]
+        own = [item for item in every if (item.face, item.k) == (face, k)]
+        for item in own[:1]:
+            self.scene.setFocusItem(item)
+            self.chosen(face, k)
+        for item in own:
+            item.show_at(self.joints[face][k])
 
     def _summary(self) -> None:
         """How many joints keep the rules, while none is chosen."""

@@ -7,7 +7,7 @@ import numpy as np
 
 from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
 
-WIDTH, GAP, LEFT, LEAST_HEIGHT = 700.0, 26.0, 60.0, 26.0
+WIDTH, GAP, LANE_GAP, LEFT, LEAST_HEIGHT = 700.0, 26.0, 6.0, 60.0, 26.0
 PLATES = ("#e8b84a", "#f3d58c")
 KEPT, BROKEN = "#43a047", "#e53935"
 
@@ -40,23 +40,35 @@ class Row:
         return QtGui.QPolygonF([self.point(flat) for flat in (*edge, *back)])
 
 
-def rows_of(strips) -> tuple[dict[str, Row], float]:
-    """A row for each strip by its face, one below the other, all to one scale along; and how much
-    larger breadths are drawn, so that slender faces can be seen."""
+def by_lane(own, letters) -> dict[tuple[str, str], list]:
+    """The plates of faces by face and lane, lanes in order; own: face -> its plates; letters: mark
+    -> lane, empty for a face that is not divided along its length."""
+    found: dict[tuple[str, str], list] = {}
+    for face, plates in own.items():
+        for plate in sorted(plates, key=lambda plate: letters.get(plate.mark, "")):
+            found.setdefault((face, letters.get(plate.mark, "")), []).append(plate)
+    return found
+
+
+def rows_of(strips) -> tuple[dict[tuple[str, str], Row], float]:
+    """A row for each strip by its face and lane, one below the other, all to one scale along; and
+    how much larger breadths are drawn, so that slender faces can be seen."""
     boxes = {}
-    for face, strip in strips.items():
+    for lane, strip in strips.items():
         points = np.concatenate([strip.first, strip.second])
-        boxes[face] = points.min(axis=0), points.max(axis=0)
+        boxes[lane] = points.min(axis=0), points.max(axis=0)
     along = WIDTH / max(high[0] - low[0] for low, high in boxes.values())
     narrowest = min(
         float(np.hypot(*(strip.first - strip.second).T).max()) for strip in strips.values()
     )
     across = max(along, LEAST_HEIGHT / narrowest)
-    rows, top = {}, 0.0
-    for face, strip in strips.items():
-        low, high = boxes[face]
-        rows[face] = Row(strip, along, across, top + high[1] * across)
-        top += (high[1] - low[1]) * across + GAP
+    rows, top, above = {}, -GAP, ""
+    for (face, letter), strip in strips.items():
+        low, high = boxes[face, letter]
+        top += LANE_GAP if face == above else GAP
+        rows[face, letter] = Row(strip, along, across, top + high[1] * across)
+        top += (high[1] - low[1]) * across
+        above = face
     return rows, across / along
 
 

@@ -9,6 +9,7 @@ import FreeCAD
 import FreeCADGui
 
 from BendTorsionWB.gui import resources
+from BendTorsionWB.gui.held_commands import HeldCommands
 from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.property_form import FLAWED
 from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
@@ -37,11 +38,13 @@ class TaskPanel:
         self.findings.setObjectName("findings")
         self.forms = []
         self.refused: dict[QtWidgets.QWidget, str] = {}
-        self.timer = QtCore.QTimer(self.form)
+        self.timer = QtCore.QTimer()
         self.timer.setSingleShot(True)
         self.timer.timeout.connect(self.update)
         self.errors_before: set[str] = set()
         self.closed = False
+        self.held: HeldCommands | None = None
+        self.width_before = 0
 
     def show(self) -> None:
         """Open it at the side of the window."""
@@ -50,6 +53,7 @@ class TaskPanel:
         # What is new has no errors to be excused.
         self.errors_before = set() if self.preview.create else self._own_errors()
         self.show_findings()
+        self.held = HeldCommands(self._gone)
         self.observer = _Closing(self)
         FreeCAD.addDocumentObserver(self.observer)
         FreeCADGui.Control.showDialog(self)
@@ -64,6 +68,7 @@ class TaskPanel:
         dock = self._dock()
         wanted = self.form.sizeHint().width() + MARGIN
         if dock is not None and dock.width() < wanted:
+            self.width_before = dock.width()
             FreeCADGui.getMainWindow().resizeDocks([dock], [wanted], QtCore.Qt.Horizontal)
 
     def _dock(self):
@@ -192,21 +197,35 @@ class TaskPanel:
             return
         self.stop()
         FreeCAD.removeDocumentObserver(self.observer)
-        name = self.preview.document.Name
+        name, dock = self.preview.document.Name, self._dock()
         finish()
         FreeCADGui.Control.closeDialog()
         FreeCADGui.getDocument(name).resetEdit()
+        if dock is not None and self.width_before:
+            # As wide as the user has it, once the panel is gone.
+            window, width = FreeCADGui.getMainWindow(), self.width_before
+            QtCore.QTimer.singleShot(
+                0, lambda: window.resizeDocks([dock], [width], QtCore.Qt.Horizontal)
+            )
+
+    def _gone(self) -> None:
+        """Cancel what something else has closed; its fields are gone."""
+        self.stop()
+        FreeCAD.removeDocumentObserver(self.observer)
+        self.preview.cancel()
 
     def stop(self) -> None:
         """Let no field edit anything from now on."""
         self.closed = True
         self.timer.stop()
+        if self.held is not None:
+            self.held.release()
         for form in self.forms:
             form.ended = True
 
 
 class _Closing:
-    """Closes the panel with its document."""
+    """Closes the panel with its document, and with the object it edits."""
 
     def __init__(self, panel: TaskPanel):
         self.panel = panel
@@ -218,6 +237,19 @@ class _Closing:
             panel.stop()
             FreeCADGui.Control.closeDialog()
             QtCore.QTimer.singleShot(0, lambda: FreeCAD.removeDocumentObserver(self))
+
+    def slotDeletedObject(self, obj):
+        """Called by FreeCAD before an object goes, also when the panel itself takes it back."""
+        panel = self.panel
+        if panel.closed or obj not in panel.preview.objects:
+            return
+        panel.stop()
+        QtCore.QTimer.singleShot(0, self._object_gone)
+
+    def _object_gone(self) -> None:
+        panel = self.panel
+        panel.closed = False
+        panel._end(panel.preview.leave)
 
 
 def _fault_line(reason: str) -> str:

@@ -20,6 +20,9 @@ TRIED: set[str] = set()
 the new one, at the same address, for the one it had folded away, and leave it at the top."""
 ORDER = {"": 0, "note": 0, "warning": 1, "error": 2}
 
+PAGE_PARTS = ("PageOutlines", "PageSymbol")
+"""What is ours of a drawing page; symbols have a page to themselves where there are no outlines."""
+
 
 def children(obj) -> list:
     """The objects shown below an object."""
@@ -33,7 +36,7 @@ def children(obj) -> list:
             for user in obj.InList
             if getattr(user, "BT_Type", "") in CLAIMED[kind] and user.Name not in TRIED
         ]
-    if kind in ("SheetSet", "ArrangementSet"):
+    if kind in ("SheetSet", "ArrangementSet", "NodeSheets"):
         found += _pages(obj)
     return found
 
@@ -79,13 +82,18 @@ def _only_user(axis, member) -> bool:
 
 
 def _pages(sheet_set) -> list:
-    """The drawing pages of a SheetSet, each with the outlines its view shows."""
-    outlines = [user for user in sheet_set.InList if getattr(user, "BT_Type", "") == "PageOutlines"]
-    pages = [
-        page
+    """The drawing pages of a set of sheets, each with the outlines its view shows, if any."""
+    shown = [user for user in sheet_set.InList if getattr(user, "BT_Type", "") in PAGE_PARTS]
+    outlines = [item for item in shown if item.BT_Type == "PageOutlines"]
+    views = [
+        view
         for item in outlines
         for view in item.InList
         if view.isDerivedFrom("TechDraw::DrawViewPart")
+    ]
+    pages = [
+        page
+        for view in views or shown
         for page in view.InList
         if page.isDerivedFrom("TechDraw::DrawPage")
     ]

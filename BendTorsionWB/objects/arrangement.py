@@ -11,7 +11,7 @@ from BendTorsionWB.core.drawings.sheet_layout import member_sheets
 from BendTorsionWB.core.drawings.sheet_style import PLAIN_STYLE, SheetStyle
 from BendTorsionWB.core.finding import error
 from BendTorsionWB.core.lofting import MemberRecord
-from BendTorsionWB.objects.proxy import Property, Proxy
+from BendTorsionWB.objects.proxy import Property, Proxy, findings_of
 from BendTorsionWB.objects.sheet import keep_pages
 from BendTorsionWB.objects.sheet_content import faulty, kept_record, style_of
 
@@ -20,6 +20,7 @@ class ArrangementSet(Proxy):
     """All members of some SheetSets in elevation and plan, with their list (App::FeaturePython)."""
 
     TYPE = "ArrangementSet"
+    OUTLINED = True
     PROPERTIES = (
         Property(
             "App::PropertyLinkList",
@@ -35,14 +36,22 @@ class ArrangementSet(Proxy):
         one page that says so."""
         sets = _sheet_sets(obj)
         style = style_of(sets[0]) if sets else PLAIN_STYLE
-        return _laid_out(tuple(kept_record(one) for one in sets), style, obj.Label)
+        return self.laid_out(tuple(kept_record(one) for one in sets), style, obj.Label)
+
+    def laid_out(
+        self, records: tuple[MemberRecord, ...], style: SheetStyle, name: str
+    ) -> tuple[Sheet, ...]:
+        """The sheets of these records."""
+        return _laid_out(records, style, name)
 
     def build(self, obj):
+        """The pages as they are now; in error when one of the members is, which they tell."""
         keep_pages(obj)
-        return ()
+        told = (finding for one in _sheet_sets(obj) for finding in findings_of(one))
+        return tuple(dict.fromkeys(found for found in told if found.severity == "error"))
 
     def clear(self, obj):
-        """Nothing: without members there is the one page that says so."""
+        """Nothing: pages are as new as their members, and tell which of them are in error."""
 
 
 def _sheet_sets(obj) -> list:

@@ -19,6 +19,12 @@ PROPERTIES = (
         COLOUR_BY,
     ),
     Property(
+        "App::PropertyFloatList",
+        "ColourRange",
+        "Colours",
+        "Least and largest value of the colours, to compare members; empty: those of its own",
+    ),
+    Property(
         "App::PropertyColorList",
         "Colours",
         "Colours",
@@ -37,7 +43,8 @@ PROPERTIES = (
 
 def set_colours(obj, marks: Sequence[str], plates: Sequence[DevelopedPlate]) -> None:
     """Write Colours and Legend of an object that shows plates by these marks, in this order."""
-    found = colouring(plates, obj.ColourBy)
+    between = tuple(obj.ColourRange) if len(obj.ColourRange) == 2 else None
+    found = colouring(plates, obj.ColourBy, between)
     by_mark = dict(zip((plate.mark for plate in plates), found.colours, strict=False))
     obj.Colours = [by_mark.get(mark, UNKNOWN) for mark in marks] if found.colours else []
     obj.Legend = [f"{hex_text(colour)} {text}" for text, colour in found.legend]

@@ -71,8 +71,9 @@ def new_object(
     further = tuple(further)
     values = judged(document, label, (*proxy.PROPERTIES, *further), given)
     obj = document.addObject(kind, proxy.TYPE)
-    obj.Label = label
     proxy(obj)
+    # After its view: FreeCAD 1.1 keeps a label given before that for itself when this is undone.
+    obj.Label = label
     for declared in further:
         add_property(obj, declared)
     for name, value in values.items():

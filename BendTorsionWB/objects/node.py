@@ -75,7 +75,8 @@ class Node(Proxy):
             "App::PropertyLength",
             "StubLength",
             "Node",
-            "From the node to the field joint behind a stub",
+            "From the axis of the member that runs through, along the branch, to the field joint "
+            "behind a stub",
             0.0,
         ),
         Property(
@@ -210,7 +211,7 @@ def value(obj, known: dict[str, detailing.MemberGeometry] | None = None) -> Core
         if branch.member == other.Label and node.through == through.Label
     ]
     errors = [f for f in found.findings if f.severity == "error"]
-    if not own or any(f.object in (through.Label, other.Label) for f in errors):
+    if not own or any({through.Label, other.Label} & set(f.objects) for f in errors):
         raise BendTorsionError(dict.fromkeys(found.findings))
     _, node, branch = min(own, key=lambda item: item[0])
     return replace(node, name=obj.Node or node.name, branches=(branch.at_node(obj.Node),))

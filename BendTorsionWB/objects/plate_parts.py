@@ -101,7 +101,8 @@ _LISTS = {
     ("Edges", "seam"): (
         "EdgeSeams",
         _TEXTS,
-        "Weld: a seam such as TL, a joint such as T1/T2, or joints for all joints",
+        "Weld: a seam such as TL, a joint such as T1/T2, a node, a diaphragm such as D1; "
+        "or joints, nodes, diaphragms, end plates for all of them",
     ),
     ("Edges", "from"): (
         "EdgeStarts",

@@ -8,8 +8,10 @@ import FreeCAD
 from BendTorsionWB.core import detailing, rules, tolerances
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error
 from BendTorsionWB.core.joints.lanes import Lanes
+from BendTorsionWB.core.joints.stock import stock_of
 from BendTorsionWB.core.members.volume import strip_volume
 from BendTorsionWB.core.nodes.node_members import nodes_of_member
+from BendTorsionWB.core.plates.plate_middles import middle
 from BendTorsionWB.core.plates.plates import Joints, Plate
 from BendTorsionWB.core.sections.section import BOX_FACES
 from BendTorsionWB.objects import colours, plate_parts
@@ -80,6 +82,13 @@ class PlateSet(Proxy):
             "CN",
             rules.PACKS,
         ),
+        Property(
+            "App::PropertyString",
+            "Stock",
+            "Plates",
+            "Sheets there are, such as 12000x2500; 16 10000x2000; 30 S460 8000x2200 (thickness and "
+            "grade where it is theirs alone); empty: the rule pack's",
+        ),
         *plate_parts.PROPERTIES,
         Property(
             "App::PropertyStringList",
@@ -110,6 +119,20 @@ class PlateSet(Proxy):
             "MarkPieces",
             "Result",
             "Delivery piece of each mark",
+            output=True,
+        ),
+        Property(
+            "App::PropertyVectorList",
+            "PlateMiddles",
+            "Result",
+            "Middle of the outer face of each mark",
+            output=True,
+        ),
+        Property(
+            "App::PropertyVectorList",
+            "PlateDirections",
+            "Result",
+            "Outward direction there, as long as the plate is wide",
             output=True,
         ),
         Property("App::PropertyInteger", "PlateCount", "Result", "Number of plates", output=True),
@@ -150,6 +173,9 @@ class PlateSet(Proxy):
         shown = detailing.record_of(plates).plates if obj.ColourBy != "none" else ()
         colours.set_colours(obj, obj.Marks, shown)
         obj.MarkPieces = [i.piece for i in (*(i.plate for i in plates.plates), *plates.flat)]
+        middles = middles_of(plates)
+        obj.PlateMiddles = [FreeCAD.Vector(*place) for place, _ in middles]
+        obj.PlateDirections = [FreeCAD.Vector(*outward) for _, outward in middles]
         obj.PlateCount = len(solids)
         obj.CentreOfGravity = FreeCAD.Vector(*detailing.figures_of(plates).centre_of_gravity)
         obj.PaintedArea = detailing.painted_area(plates.geometry)
@@ -165,6 +191,11 @@ class PlateSet(Proxy):
         obj.Mass = sum(p.net_volume * p.material.density for p in own)
         obj.Mass += sum(flat.mass for flat in plates.flat)
         return findings
+
+
+def middles_of(plates: detailing.MemberPlates) -> list[tuple]:
+    """`plate_middles.middle` of each plate, in the order of Marks."""
+    return [middle(part) for part in (*(i.plate for i in plates.plates), *plates.flat)]
 
 
 def properties_of(face: str) -> tuple[Property, ...]:
@@ -190,8 +221,7 @@ def accepted(plate: Plate, sound: bool, volume: float) -> list[Finding]:
             "solid-refused",
             plate.mark,
             "the solid is not closed, or has not the volume of the plate",
-            "thicknesses that change within a short transition do this: lengthen it, or bring them"
-            " closer together; else report this with the document",
+            "report this with the document",
             value=volume,
             limit=wanted,
             unit="mm3",
@@ -246,7 +276,7 @@ def value(obj) -> detailing.MemberPlates:
     given = detailing.PlatesInput(
         joints,
         obj.StationSpacing.Value,
-        rules.joint_rules(obj.RulePack),
+        rules.joint_rules(obj.RulePack, stock_of(obj.Stock)),
         rules.forming_rules(obj.RulePack),
         welds=rules.weld_defaults(obj.RulePack),
         lanes=lanes,

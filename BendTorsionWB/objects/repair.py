@@ -10,6 +10,7 @@ from BendTorsionWB.objects.assembly_bed import AssemblyBed
 from BendTorsionWB.objects.axis import Axis
 from BendTorsionWB.objects.member import Member
 from BendTorsionWB.objects.node import Node
+from BendTorsionWB.objects.node_sheets import NodeSheets
 from BendTorsionWB.objects.plate_set import PlateSet
 from BendTorsionWB.objects.proxy import Proxy
 from BendTorsionWB.objects.section_spec import SectionSpec
@@ -21,7 +22,7 @@ KINDS = {
     kind.TYPE: kind
     for kind in (
         *(Surface, Axis, SectionSpec, Member, Node, PlateSet, Unfold, AssemblyBed),
-        *(SheetSet, ArrangementSet, PageOutlines, PageSymbol),
+        *(SheetSet, ArrangementSet, NodeSheets, PageOutlines, PageSymbol),
     )
 }
 """By BT_Type: what computes the objects of that kind."""
@@ -29,11 +30,27 @@ KINDS = {
 
 def bare_objects(document) -> list:
     """The objects of ours that FreeCAD cannot compute."""
-    return [
-        obj
-        for obj in document.Objects
-        if getattr(obj, "BT_Type", "") and not isinstance(obj.Proxy, Proxy)
+    return [obj for obj in document.Objects if _is_bare(obj)]
+
+
+def refuse_bare(objects) -> None:
+    """Raises BendTorsionError for those of some objects that FreeCAD cannot compute."""
+    findings = [
+        error(
+            "object-bare",
+            obj.Label,
+            "does not follow its input: the document was saved without BendTorsion",
+            "run Repair document in the window, or 'python3 -m BendTorsionWB repair FILE'",
+        )
+        for obj in objects
+        if _is_bare(obj)
     ]
+    if findings:
+        raise BendTorsionError(findings)
+
+
+def _is_bare(obj) -> bool:
+    return bool(getattr(obj, "BT_Type", "")) and not isinstance(obj.Proxy, Proxy)
 
 
 def repair(document) -> list:

@@ -57,6 +57,15 @@ def add_cut(
     return new
 
 
+def middle_of(member, number: int) -> float:
+    """The middle of a segment between its cut and the next, mm along the axis. Raises
+    BendTorsionError for a member whose axis or cuts cannot be."""
+    axis = axis_object.value(linked(member, "Axis", "Axis"))
+    cuts = [_cut_length(member, k, axis) for k in range(2, member.Segments + 1)]
+    ends = [0.0, *cuts, axis.length]
+    return round(0.5 * (ends[number - 1] + ends[number]), 1)
+
+
 def remove_segment(member, number: int) -> None:
     """Take a segment away: the one before runs on to the next cut; of the first, the second takes
     its place. Raises BendTorsionError for the only segment or a number that is none."""

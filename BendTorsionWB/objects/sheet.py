@@ -3,8 +3,7 @@
 
 Pages pull their content from the SheetSet, so edits reach them by plain recompute. SheetSet.execute
 only keeps the number of pages: it creates missing ones at once; surplus ones are removed by a
-document observer when the recompute is over, because FreeCAD 0.20 forgets to clear its list of
-objects removed during a recompute, removes them again after an undo, and crashes.
+document observer when the recompute is over (`sheet_pages`).
 """
 
 from __future__ import annotations
@@ -26,12 +25,19 @@ from BendTorsionWB.core.site import UNITS
 from BendTorsionWB.objects.proxy import Property, Proxy
 from BendTorsionWB.objects.sheet_content import (
     faulty,
-    forget_records,
     keep_record,
     laid_out,
     record_of,
     style_of,
 )
+from BendTorsionWB.objects.sheet_pages import (
+    after_recompute,
+    heads,
+    is_outlined,
+    page_objects,
+    surplus,
+)
+from BendTorsionWB.sheets.qt import settle_threads
 from BendTorsionWB.sheets.techdraw import (
     configure_outline_view,
     configure_symbol,
@@ -53,6 +59,8 @@ class SheetSet(Proxy):
     """All sheets of one member (App::FeaturePython)."""
 
     TYPE = "SheetSet"
+    OUTLINED = True
+    """Whether views are TechDraw views, which can be dimensioned: 0.2 s for a page."""
     PROPERTIES = (
         Property("App::PropertyLink", "Unfold", "Sheets", "The flat patterns these sheets show"),
         Property("App::PropertyLink", "Bed", "Sheets", "The assembly bed shown, if any"),
@@ -131,7 +139,7 @@ class SheetSet(Proxy):
 
 def keep_pages(sheet_set) -> None:
     """As many pages as there are sheets, each of the size and scale of its sheet."""
-    _after_recompute.register()
+    after_recompute.register()
     sheets = sheets_of(sheet_set)
     sheet_set.PageCount = len(sheets)
     pages = _whole_pages(sheet_set)
@@ -139,8 +147,8 @@ def keep_pages(sheet_set) -> None:
         if index not in pages:
             pages[index] = _add_page(sheet_set, index, sheet)
         _adjust_page(pages[index], f"{sheet_set.Label} {sheet.number}", sheet)
-    if _surplus(sheet_set.Document):
-        _after_recompute.watch(sheet_set.Document)
+    if surplus(sheet_set.Document):
+        after_recompute.watch(sheet_set.Document)
 
 
 class PageOutlines(Proxy):
@@ -173,7 +181,7 @@ class PageOutlines(Proxy):
             if view.isDerivedFrom("TechDraw::DrawViewPart"):
                 _thin_lines(view)
         if not FreeCAD.GuiUp:
-            for page in _page_objects(obj):
+            for page in page_objects(obj):
                 if page.isDerivedFrom("TechDraw::DrawPage"):
                     page.KeepUpdated = True
 
@@ -198,7 +206,7 @@ class PageSymbol(Proxy):
         # TechDraw recomputes its views when a document is opened; what they show is in the file.
         if obj.Document.Restoring and obj.Symbol:
             return ()
-        symbol = symbol_svg(_page_sheet(obj))
+        symbol = symbol_svg(_page_sheet(obj), obj.Set is not None and not is_outlined(obj.Set))
         if symbol != obj.Symbol:
             obj.Symbol = symbol
         return ()
@@ -217,31 +225,12 @@ def _page_sheet(obj) -> Sheet:
     return member_sheets(faulty(obj.Label, (error(code, obj.Label, message, mend),)))[0]
 
 
-def _members(sheet_set, kind: str) -> list:
-    return [obj for obj in sheet_set.InList if getattr(obj, "BT_Type", "") == kind]
-
-
-def _page_objects(outlines) -> list:
-    """Page, template, views and outlines around a PageOutlines object, dependants first."""
-    views = [obj for obj in outlines.InList if obj.isDerivedFrom("TechDraw::DrawViewPart")]
-    pages = [
-        page for view in views for page in view.InList if page.isDerivedFrom("TechDraw::DrawPage")
-    ]
-    symbols = [
-        view
-        for page in pages
-        for view in page.Views
-        if getattr(view, "BT_Type", "") == "PageSymbol" and view.Set == outlines.Set
-    ]
-    templates = [page.Template for page in pages if page.Template is not None]
-    return [*pages, *templates, *symbols, *views, outlines]
-
-
 def remove_pages(sheet_set) -> None:
     """Remove all pages of a SheetSet from its document, before it goes itself."""
     document = sheet_set.Document
-    for outlines in _members(sheet_set, "PageOutlines"):
-        for name in [obj.Name for obj in _page_objects(outlines)]:
+    settle_threads()
+    for head in heads(sheet_set):
+        for name in [obj.Name for obj in page_objects(head)]:
             if document.getObject(name) is not None:
                 document.removeObject(name)
 
@@ -249,16 +238,16 @@ def remove_pages(sheet_set) -> None:
 def _whole_pages(sheet_set) -> dict[int, object]:
     """DrawPage by index. What is left of a page someone deleted is marked surplus."""
     pages = {}
-    for outlines in _members(sheet_set, "PageOutlines"):
-        objects = _page_objects(outlines)
+    for head in heads(sheet_set):
+        objects = page_objects(head)
         page = objects[0]
         whole = page.isDerivedFrom("TechDraw::DrawPage") and any(
             getattr(obj, "BT_Type", "") == "PageSymbol" for obj in objects
         )
-        if whole and outlines.Index not in pages:
-            pages[outlines.Index] = page
-        elif outlines.Index >= 0:
-            outlines.Index = -1
+        if whole and head.Index not in pages:
+            pages[head.Index] = page
+        elif head.Index >= 0:
+            head.Index = -1
     return pages
 
 
@@ -269,29 +258,37 @@ def _add_page(sheet_set, index: int, sheet: Sheet):
     def add(kind: str, role: str):
         return document.addObject(kind, f"{sheet_set.Name}_{role}{number}")
 
-    outlines = add("Part::FeaturePython", "Outlines")
-    PageOutlines(outlines)
     symbol = add("TechDraw::DrawViewSymbolPython", "Symbol")
     PageSymbol(symbol)
-    for obj in (outlines, symbol):
-        obj.Set, obj.Index = sheet_set, index
-    outlines.Visibility = False
+    symbol.Set, symbol.Index = sheet_set, index
     page, template = add("TechDraw::DrawPage", "Page"), add("TechDraw::DrawSVGTemplate", "Template")
     template.Template = template_path(sheet)
     page.Template = template
-    view = add("TechDraw::DrawViewPart", "View")
-    outlines.recompute()
+    views = _add_outlines(sheet_set, index, sheet, add) if is_outlined(sheet_set) else []
     # The list itself: addView moves views to the middle of the page, and that of FreeCAD 1.1 takes
     # no view that Python computes.
-    page.Views = [*page.Views, view, symbol]
-    configure_outline_view(view, outlines, sheet)
-    _thin_lines(view)
+    page.Views = [*page.Views, *views[1:], symbol]
+    for view in views[1:]:
+        configure_outline_view(view, views[0], sheet)
+        _thin_lines(view)
     configure_symbol(symbol, sheet)
-    created = (outlines, template, symbol, view, page)
-    for obj in created[1:]:
+    if FreeCAD.GuiUp and not views and "ShowFrames" in page.ViewObject.PropertiesList:
+        page.ViewObject.ShowFrames = False
+    created = (*views[:1], template, symbol, *views[1:], page)
+    for obj in created[len(views[:1]) :]:
         obj.recompute()
-    _after_recompute.watch(document, created)
+    after_recompute.watch(document, created)
     return page
+
+
+def _add_outlines(sheet_set, index: int, sheet: Sheet, add) -> list:
+    """The outlines of a page and the view that shows them."""
+    outlines = add("Part::FeaturePython", "Outlines")
+    PageOutlines(outlines)
+    outlines.Set, outlines.Index = sheet_set, index
+    outlines.Visibility = False
+    outlines.recompute()
+    return [outlines, add("TechDraw::DrawViewPart", "View")]
 
 
 def _thin_lines(view) -> None:
@@ -321,64 +318,3 @@ def _adjust_page(page, label: str, sheet: Sheet) -> None:
 
 def _size_of(template) -> tuple[float, float]:
     return round(template.Width.Value, 3), round(template.Height.Value, 3)
-
-
-def _surplus(document) -> list:
-    """PageOutlines whose sheet is gone."""
-    return [
-        obj
-        for obj in document.Objects
-        if getattr(obj, "BT_Type", "") == "PageOutlines"
-        and obj.Set is not None
-        and not 0 <= obj.Index < obj.Set.PageCount
-    ]
-
-
-class _AfterRecompute:
-    """Document observer that tidies up after a recompute that changed the number of pages."""
-
-    def __init__(self):
-        self.created: dict[str, list[str]] = {}
-        self.registered = False
-
-    def register(self):
-        """Be told of recomputes and of documents that are closed, from now on."""
-        if not self.registered:
-            FreeCAD.addDocumentObserver(self)
-            self.registered = True
-
-    def watch(self, document, created=()):
-        """Tidy this document after the recompute under way."""
-        self.register()
-        names = self.created.setdefault(document.Name, [])
-        names.extend(obj.Name for obj in created)
-
-    def slotRecomputedDocument(self, document):
-        """Remove surplus pages; what was created is up to date already."""
-        if document.Name not in self.created:
-            return
-        for name in self.created[document.Name]:
-            obj = document.getObject(name)
-            if obj is not None and obj.isValid():
-                obj.purgeTouched()
-        self.created[document.Name] = []
-        # While some object is in error, FreeCAD goes on to read the list it has recomputed.
-        if all(obj.isValid() for obj in document.Objects):
-            templates = [o for o in document.Objects if o.isDerivedFrom("TechDraw::DrawTemplate")]
-            settled = [template.Name for template in templates if "Touched" not in template.State]
-            for outlines in _surplus(document):
-                for name in [obj.Name for obj in _page_objects(outlines)]:
-                    if document.getObject(name) is not None:
-                        document.removeObject(name)
-            # FreeCAD 1.1 touches every template when the number of pages changes.
-            for template in filter(None, map(document.getObject, settled)):
-                template.purgeTouched()
-            del self.created[document.Name]
-
-    def slotDeletedDocument(self, document):
-        """Forget a closed document."""
-        self.created.pop(document.Name, None)
-        forget_records(document)
-
-
-_after_recompute = _AfterRecompute()

@@ -43,7 +43,7 @@ def set_style(sheet_set, style: SheetStyle) -> None:
     sheet_set.SheetLanguage, sheet_set.SheetUnit = style.language, style.unit
     site = style.site
     sheet_set.SiteX, sheet_set.SiteY, sheet_set.SiteZ = site.x, site.y, site.z
-    sheet_set.SiteRotation, sheet_set.SiteUnit = math.degrees(site.rotation), site.unit
+    sheet_set.SiteRotation, sheet_set.SiteUnit = round(math.degrees(site.rotation), 12), site.unit
 
 
 @lru_cache(maxsize=64)

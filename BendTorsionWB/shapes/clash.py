@@ -10,7 +10,8 @@ from scipy.spatial import cKDTree
 
 from BendTorsionWB.core import tolerances
 from BendTorsionWB.core.detailing import MemberGeometry
-from BendTorsionWB.core.finding import Finding, error
+from BendTorsionWB.core.finding import BETWEEN, Finding, error
+from BendTorsionWB.core.nodes.nodes import unresolved
 from BendTorsionWB.shapes import brep
 from BendTorsionWB.shapes.cut_solid import member_solids
 
@@ -21,7 +22,8 @@ SAMPLE = 200.0
 def clashes(
     members: Mapping[str, MemberGeometry], met: Collection[frozenset[str]] = ()
 ) -> tuple[Finding, ...]:
-    """One error per member of each pair whose solids share more than SOLIDS_OVERLAP_VOLUME.
+    """One error for each pair of members whose solids share more than SOLIDS_OVERLAP_VOLUME:
+    `node-unresolved` at each place where they cross.
 
     met: pairs of members that meet at nodes, or were found not to; they are passed over.
     """
@@ -48,26 +50,24 @@ def clashes(
                     skins[name] = _skin(members[name])
             common = skins[one].common(skins[other])
             if common.Volume > tolerances.SOLIDS_OVERLAP_VOLUME:
-                findings += _pair(one, other, common)
+                crossing = unresolved({name: members[name].member for name in (one, other)})
+                findings += crossing.findings or (_pair(one, other, common),)
     return tuple(findings)
 
 
-def _pair(one: str, other: str, common) -> list[Finding]:
+def _pair(one: str, other: str, common) -> Finding:
     centre = common.CenterOfMass if hasattr(common, "CenterOfMass") else common.BoundBox.Center
     place = f"x = {centre.x:.0f}, y = {centre.y:.0f}, z = {centre.z:.0f} mm"
-    return [
-        error(
-            "members-intersect",
-            name,
-            f"the solids of {name} and {with_} intersect",
-            "give them different ranks or a row of sheet Nodes, or move one of them",
-            position=place,
-            value=float(common.Volume),
-            limit=tolerances.SOLIDS_OVERLAP_VOLUME,
-            unit="mm3",
-        )
-        for name, with_ in ((one, other), (other, one))
-    ]
+    return error(
+        "members-intersect",
+        BETWEEN.join((one, other)),
+        f"the solids of {one} and {other} intersect",
+        "give them different ranks or a row of sheet Nodes, or move one of them",
+        position=place,
+        value=float(common.Volume),
+        limit=tolerances.SOLIDS_OVERLAP_VOLUME,
+        unit="mm3",
+    )
 
 
 def _samples(geometry: MemberGeometry) -> np.ndarray:

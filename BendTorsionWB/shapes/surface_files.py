@@ -12,7 +12,7 @@ import Part
 
 from ..core.finding import BendTorsionError, error
 from .step_names import names_in, only_named
-from .trial_reading import failure_of
+from .trial_reading import failure_of_file
 
 KINDS = {
     ".step": "STEP",
@@ -92,7 +92,7 @@ def _named(path: Path, name: str, object: str) -> Part.Shape:
 
 def _read(part: Path, path: Path, kind: str, object: str) -> Part.Shape:
     shape = Part.Shape()
-    failure = failure_of(lambda: shape.read(str(part)), part.stat().st_size)
+    failure = failure_of_file(part, lambda: shape.read(str(part)))
     if failure:
         raise _fault("file-unreadable", path, object, failure, "export it again, or in parts")
     try:

@@ -2,17 +2,22 @@
 """Geometry of others read on trial in a process of its own first: Open CASCADE's readers crash or
 run away on damaged files, and would take this program along.
 
-Where processes cannot be forked (Windows), and in FreeCAD's window, files are read without trial.
+Where processes cannot be forked (Windows), and in FreeCAD's window, the process is FreeCAD's
+program without a window; only where there is none are files read without trial.
 """
 
 from __future__ import annotations
 
 import os
 import signal
+import tempfile
 import time
 from collections.abc import Callable
+from pathlib import Path
 
 import FreeCAD
+
+from .trial_program import failure_in_program
 
 try:
     import resource
@@ -28,14 +33,31 @@ BYTES_PER_SECOND = 0.5e6
 """A reader may take SHORTEST_TRIAL seconds, and one more for each of these."""
 
 
+def failure_of_file(path: Path, read: Callable[[], object]) -> str:
+    """Why a file cannot be read by `read`, as `failure_of`, where processes are not forked too."""
+    size = path.stat().st_size
+    if size <= LARGEST_FILE and not can_fork():
+        with tempfile.TemporaryDirectory() as folder:
+            return failure_in_program(path.resolve(), _patience(size), Path(folder))
+    return failure_of(read, size)
+
+
+def can_fork() -> bool:
+    """Whether this process can be forked: not on Windows, and not with a window."""
+    return resource is not None and hasattr(os, "fork") and not FreeCAD.GuiUp
+
+
+def _patience(size: float) -> float:
+    """Seconds a reader may take."""
+    return SHORTEST_TRIAL + size / BYTES_PER_SECOND
+
+
 def failure_of(read: Callable[[], object], size: float) -> str:
     """Why a file of this size cannot be read: what became of the process that tried, empty when it
     was read. A failure `read` reports itself is none here."""
     if size > LARGEST_FILE:
         return f"it is larger than {LARGEST_FILE / 1e6:.0f} MB"
-    if resource is None or FreeCAD.GuiUp or not hasattr(os, "fork"):
-        return ""
-    seconds = SHORTEST_TRIAL + size / BYTES_PER_SECOND
+    seconds = _patience(size)
     child = os.fork()
     if child == 0:
         try:

@@ -33,3 +33,23 @@ def qt_modules():
 def qt_major() -> int:
     """5 or 6. BendTorsionError when there is no Qt for Python."""
     return int(qt_modules()[0].qVersion().split(".")[0])
+
+
+def settle_threads() -> None:
+    """Wait for what FreeCAD 1.0 and later compute of TechDraw views in threads, and have the views
+    take it. One that leaves the document before that raises in Qt's event loop, which ends a
+    program without a window."""
+    try:
+        core, _ = qt_modules()
+    except BendTorsionError:
+        return
+    if core.QCoreApplication.instance() is None:
+        return
+    # Faces are found in a second thread, when the lines are there.
+    for _ in range(3):
+        core.QThreadPool.globalInstance().waitForDone()
+        core.QCoreApplication.sendPostedEvents(None, _FUTURE_EVENT)
+
+
+_FUTURE_EVENT = 180
+"""QEvent::FutureCallOut; no other event is taken here."""

@@ -79,13 +79,14 @@ def view_edges(sheet: Sheet) -> list[np.ndarray]:
     return [line[_moving(line)] for line in arrays if np.ptp(line, axis=0).max() > 1e-6]
 
 
-def symbol_svg(sheet: Sheet) -> str:
-    """The SVG of the symbol view that covers the page: labels, tables, title block, line weights.
+def symbol_svg(sheet: Sheet, alone: bool = False) -> str:
+    """The SVG of the symbol view that covers the page: labels, tables, title block, line weights;
+    alone: all there is to see.
 
     FreeCAD 0.20 draws every edge of a part view as an unbroken hairline, so the lines of views that
     are wide or dashed are drawn over it here.
     """
-    lines = [line for line in _view_lines(sheet) if line.style != "narrow"]
+    lines = [line for line in _view_lines(sheet) if alone or line.style != "narrow"]
     lines += sheet.all_lines()
     return svg_document(sheet, lines, sheet.all_texts(), *_symbol_unit(), joined=True)
 

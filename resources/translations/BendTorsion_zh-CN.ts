@@ -87,6 +87,10 @@
         <translation>样板间隙</translation>
     </message>
     <message>
+        <source>Close the panel first, by OK or Cancel</source>
+        <translation>请先用“确定”或“取消”关闭面板</translation>
+    </message>
+    <message>
         <source>Closed ring</source>
         <translation>闭合环</translation>
     </message>
@@ -153,6 +157,10 @@
     <message>
         <source>Distance (fit offset)</source>
         <translation>距离（偏移贴合）</translation>
+    </message>
+    <message>
+        <source>Divide the segment</source>
+        <translation>在中间分段</translation>
     </message>
     <message>
         <source>Drag a joint, or move it by the left and right arrow keys (Shift: ten times); up and down choose another, double-click or Ins adds one, Del removes it</source>
@@ -275,6 +283,10 @@
         <translation>FreeCAD 文档 (*.FCStd)</translation>
     </message>
     <message>
+        <source>Geometry (*.step *.stp *.iges *.igs *.brep *.brp *.STEP *.STP *.IGES *.IGS)</source>
+        <translation>几何文件 (*.step *.stp *.iges *.igs *.brep *.brp *.STEP *.STP *.IGES *.IGS)</translation>
+    </message>
+    <message>
         <source>Green at the end, mm</source>
         <translation>末端余量,mm</translation>
     </message>
@@ -297,6 +309,10 @@
     <message>
         <source>Import schedule</source>
         <translation>导入数据表</translation>
+    </message>
+    <message>
+        <source>Import shapes</source>
+        <translation>导入形状</translation>
     </message>
     <message>
         <source>Joints of each face</source>
@@ -399,6 +415,14 @@
         <translation>节点</translation>
     </message>
     <message>
+        <source>Not taken: {cells}</source>
+        <translation>未采用：{cells}</translation>
+    </message>
+    <message>
+        <source>Nothing to repair: every object can be computed</source>
+        <translation>无需修复：所有对象均可计算</translation>
+    </message>
+    <message>
         <source>Offset along the breadth</source>
         <translation>沿宽度偏移</translation>
     </message>
@@ -479,6 +503,18 @@
         <translation>删除</translation>
     </message>
     <message>
+        <source>Remove the segment</source>
+        <translation>删除该段</translation>
+    </message>
+    <message>
+        <source>Repair document</source>
+        <translation>修复文档</translation>
+    </message>
+    <message>
+        <source>Repaired: {count} objects</source>
+        <translation>已修复 {count} 个对象</translation>
+    </message>
+    <message>
         <source>Report</source>
         <translation>报告</translation>
     </message>
@@ -547,12 +583,20 @@
         <translation>只显示轴线</translation>
     </message>
     <message>
+        <source>Show marks</source>
+        <translation>显示编号</translation>
+    </message>
+    <message>
         <source>Show outer skin</source>
         <translation>显示外表面</translation>
     </message>
     <message>
         <source>Show plates</source>
         <translation>显示板件</translation>
+    </message>
+    <message>
+        <source>Show points</source>
+        <translation>显示测点</translation>
     </message>
     <message>
         <source>Shrinkage across, mm/m</source>
@@ -597,6 +641,14 @@
     <message>
         <source>Strain of laying flat</source>
         <translation>展开应变</translation>
+    </message>
+    <message>
+        <source>Support bundle</source>
+        <translation>支持信息包</translation>
+    </message>
+    <message>
+        <source>Support bundle (*.zip)</source>
+        <translation>支持信息包 (*.zip)</translation>
     </message>
     <message>
         <source>Surface</source>
@@ -663,6 +715,10 @@
         <translation>类型</translation>
     </message>
     <message>
+        <source>Type rows, or paste them from a spreadsheet; headings tell what they mean when the mouse is over them</source>
+        <translation>逐行输入，或从电子表格粘贴；鼠标停在表头上可看其含义</translation>
+    </message>
+    <message>
         <source>US</source>
         <translation>US（美国）</translation>
     </message>
@@ -711,8 +767,20 @@
         <translation>Y 形</translation>
     </message>
     <message>
+        <source>a cut lies behind the start of the axis</source>
+        <translation>分段点须位于轴线起点之后</translation>
+    </message>
+    <message>
+        <source>a cut lies between 0% and 100%</source>
+        <translation>分段点须在 0% 与 100% 之间</translation>
+    </message>
+    <message>
         <source>a number is missing or cannot be read</source>
         <translation>缺少数字或无法读取</translation>
+    </message>
+    <message>
+        <source>a slope is 0 or more</source>
+        <translation>坡度须不小于 0</translation>
     </message>
     <message>
         <source>a value is missing</source>
@@ -923,6 +991,18 @@
         <translation>相邻面的接缝</translation>
     </message>
     <message>
+        <source>joints must be above 0</source>
+        <translation>接缝位置须大于 0</translation>
+    </message>
+    <message>
+        <source>joints must rise</source>
+        <translation>接缝位置须递增</translation>
+    </message>
+    <message>
+        <source>joints stand with the first segment</source>
+        <translation>接缝写在第一段</translation>
+    </message>
+    <message>
         <source>keep</source>
         <translation>保持</translation>
     </message>
@@ -973,6 +1053,10 @@
     <message>
         <source>mm from the start, ratios up to 1, auto, or empty for none</source>
         <translation>距始端 mm、不大于 1 的比例、auto，或留空表示无</translation>
+    </message>
+    <message>
+        <source>names and numbers are those of the model</source>
+        <translation>名称和编号由模型决定</translation>
     </message>
     <message>
         <source>nearest</source>
@@ -1075,6 +1159,10 @@
         <translation>等级</translation>
     </message>
     <message>
+        <source>ratios up to 1 and mm are mixed</source>
+        <translation>比例（不大于 1）与毫米混用</translation>
+    </message>
+    <message>
         <source>right</source>
         <translation>右</translation>
     </message>
@@ -1089,6 +1177,10 @@
     <message>
         <source>row {number}: {reason}</source>
         <translation>第 {number} 行:{reason}</translation>
+    </message>
+    <message>
+        <source>row {row} {column}</source>
+        <translation>第 {row} 行 {column}</translation>
     </message>
     <message>
         <source>rule</source>
@@ -1145,6 +1237,22 @@
     <message>
         <source>the expression cannot be read: {reason}</source>
         <translation>表达式无法读取:{reason}</translation>
+    </message>
+    <message>
+        <source>the first segment starts with the axis</source>
+        <translation>第一段从轴线起点开始</translation>
+    </message>
+    <message>
+        <source>the member has no plates</source>
+        <translation>该构件没有板件</translation>
+    </message>
+    <message>
+        <source>the table ends before it</source>
+        <translation>超出表格范围</translation>
+    </message>
+    <message>
+        <source>there is no section {name!r}</source>
+        <translation>没有截面 {name!r}</translation>
     </message>
     <message>
         <source>thickness</source>
@@ -1223,6 +1331,10 @@
         <translation>不带图纸</translation>
     </message>
     <message>
+        <source>write auto, or numbers such as 4000 8000 or 0.5 1</source>
+        <translation>请写 auto，或数字，如 4000 8000 或 0.5 1</translation>
+    </message>
+    <message>
         <source>zh</source>
         <translation>中文</translation>
     </message>
@@ -1259,12 +1371,28 @@
         <translation>{face}:接缝 {number} 位于</translation>
     </message>
     <message>
+        <source>{file}: {names}; read them before you send them</source>
+        <translation>{file}：{names}；发送前请先查看</translation>
+    </message>
+    <message>
         <source>{kind}, angle {angle:.1f}°, axes {off:.2f} mm apart</source>
         <translation>{kind},夹角 {angle:.1f}°,轴线相距 {off:.2f} mm</translation>
     </message>
     <message>
         <source>{position} of the section on the axis; arrow keys move it</source>
         <translation>截面的{position}位于轴线上；用方向键移动</translation>
+    </message>
+    <message>
+        <source>{text!r} is none of {choices}</source>
+        <translation>{text!r} 不是 {choices} 之一</translation>
+    </message>
+    <message>
+        <source>{text!r} is not a number</source>
+        <translation>{text!r} 不是数字</translation>
+    </message>
+    <message>
+        <source>{text!r} is not a number of use</source>
+        <translation>{text!r} 不是可用的数字</translation>
     </message>
     <message>
         <source>{text} cannot be read</source>
@@ -1330,8 +1458,8 @@
         <translation>着色依据</translation>
     </message>
     <message>
-        <source>Colour plates by strain, length error, forming class or thickness, with a legend</source>
-        <translation>按应变、长度误差、成形类别或厚度为板件着色，并显示图例</translation>
+        <source>Colour plates by strain, length error, forming class, thickness and more, all selected members on one scale, with a legend</source>
+        <translation>按应变、长度误差、成形等级、厚度等为板件着色，所选构件共用一个色标，并带图例</translation>
     </message>
 </context>
 <context>
@@ -1423,6 +1551,17 @@
     </message>
 </context>
 <context>
+    <name>BendTorsion_ImportShapes</name>
+    <message>
+        <source>Import shapes</source>
+        <translation>导入形状</translation>
+    </message>
+    <message>
+        <source>The faces and the curves of a STEP, IGES or BREP file, to select members from</source>
+        <translation>读入 STEP、IGES 或 BREP 文件中的面和曲线，以便从中选择构件</translation>
+    </message>
+</context>
+<context>
     <name>BendTorsion_Member</name>
     <message>
         <source>A new member along the selected axis with the selected sections, or the segments of the member selected</source>
@@ -1508,6 +1647,17 @@
     <message>
         <source>What new objects start with; existing documents stay as they are</source>
         <translation>新对象的初始值；已有文档保持不变</translation>
+    </message>
+</context>
+<context>
+    <name>BendTorsion_Repair</name>
+    <message>
+        <source>Make objects compute again that were saved by a FreeCAD without this workbench</source>
+        <translation>使被未装本工作台的 FreeCAD 保存过的对象恢复计算</translation>
+    </message>
+    <message>
+        <source>Repair document</source>
+        <translation>修复文档</translation>
     </message>
 </context>
 <context>
@@ -1599,14 +1749,25 @@
     </message>
 </context>
 <context>
+    <name>BendTorsion_SupportBundle</name>
+    <message>
+        <source>Support bundle</source>
+        <translation>支持信息包</translation>
+    </message>
+    <message>
+        <source>Versions, preferences, findings and tables of the document in one file, for a report of a fault; without names of users, machines and folders</source>
+        <translation>把版本、首选项、检查结果和文档表格收入一个文件，用于报告故障；不含用户、机器和文件夹名称</translation>
+    </message>
+</context>
+<context>
     <name>BendTorsion_Surface</name>
     <message>
         <source>Surface</source>
         <translation>曲面</translation>
     </message>
     <message>
-        <source>The surface members follow: from selected faces of a shape; with nothing selected, a dome, cylinder, cone, torus or plane by its sizes</source>
-        <translation>构件所随的曲面：取自所选形体的面；未选择时按尺寸生成穹顶、圆柱、圆锥、圆环或平面</translation>
+        <source>The surface members follow: from selected faces of a shape, or the sizes of the one selected; with nothing selected, a dome, cylinder, cone, torus or plane by its sizes</source>
+        <translation>构件所依附的曲面：取自所选形体的面，或编辑所选曲面的尺寸；未选择时，按尺寸生成穹顶、圆柱、圆锥、圆环或平面</translation>
     </message>
 </context>
 <context>

@@ -13,7 +13,7 @@ def table():
     document = FreeCAD.ActiveDocument
     run("MemberTable")
     dock = window().findChild(QtGui.QDockWidget, "BendTorsion_MemberTable")
-    cells = dock.widget()
+    cells = dock.table
     m1 = named("M1")
     undo = len(document.UndoNames)
     QtGui.QApplication.clipboard().setText("5200\t3\tlinear\ttop\n11200\t3\tlinear\tnowhere")

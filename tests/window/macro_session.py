@@ -59,6 +59,9 @@ def all_commands():
 
     answered(answer)
     command("MembersFromSelection", (document.Ball, "Face1"), document.Arc1, document.Arc2)
+    with asked(save_file=os.path.join(FOLDER, "bundle.zip")):
+        command("SupportBundle")
+    command("Repair")
     command("Surface", (document.Ball, "Face1"), finish="Ok")
     surface = next(o for o in document.Objects if o.Label == "Surface 2")
     command("Axis", surface, document.Branch, finish="Ok")
@@ -80,6 +83,10 @@ def all_commands():
     command("Development", plates, finish="Ok", edit=lambda: retype(field("GreenEnd"), "25"))
     command("AssemblyBed", plates, finish="Ok", edit=_saddles)
     command("Sheets")
+    path = os.path.join(FOLDER, "ball.step")
+    document.Ball.Shape.exportStep(path)
+    with asked(open_file=path):
+        command("ImportShapes")
     with asked(choice="strain"):
         command("ColourBy", plates)
     for name in ("ShowAs", "ShowMarks", "ShowPoints"):

@@ -141,6 +141,48 @@ def _verdict():
     return field("verdict", QtGui.QLabel).text()
 
 
+def lanes():
+    """The split editor of a face in two lanes: each is drawn, their joints move together."""
+    from BendTorsionWB.gui.split_scene import JointItem, PlateItem
+
+    document = FreeCAD.ActiveDocument
+    plates = named("M1 plates")
+    plates.LanesTop = [0.4]
+    document.recompute()
+    document.clearUndos()
+    select(plates)
+    run("Splits")
+    view = window().findChildren(QtGui.QGraphicsView)[-1]
+    items = view.scene().items()
+    names = [i.text() for i in items if isinstance(i, QtGui.QGraphicsSimpleTextItem)]
+    drawn = [i for i in items if isinstance(i, PlateItem)]
+    top = [i for i in items if isinstance(i, JointItem) and i.face == "top" and i.k == 0]
+    before = [item.line().x1() for item in top]
+    panel = drawn[0].panel
+    panel.move_joint("top", 0, panel.joints["top"][0] + 500.0)
+    moved = [item.line().x1() - x for item, x in zip(top, before)]
+    steps.picture("split_lanes")
+    steps.settle(6)
+    marks = sorted(mark for mark in plates.Marks if "-T" in mark)
+    seen = {"names": names, "plates": len(drawn), "moved": moved, "marks": marks}
+    seen["status"] = plates.Status
+    press("Cancel")
+    plates.LanesTop = []
+    document.recompute()
+    document.clearUndos()
+    return seen
+
+
+def part_tables():
+    """What the table of openings says of itself, and offers for a face."""
+    select(named("M1 plates"))
+    run("Openings")
+    rows = field("rows", QtGui.QTableWidget)
+    seen = [field("hint", QtGui.QLabel).text(), rows.choices(0, 0), rows.choices(0, 1)]
+    press("Cancel")
+    return seen
+
+
 def context_menus():
     """What the context menu offers for each kind of selection."""
     from BendTorsionWB.gui import commands
@@ -228,4 +270,4 @@ def templates():
     return result
 
 
-steps.run(double_clicks, refused, by_keys, context_menus, stopped, templates)
+steps.run(double_clicks, refused, by_keys, lanes, part_tables, context_menus, stopped, templates)

@@ -23,6 +23,11 @@ def figures(document):
         for name in ("RulePack", "Mode", "Project", "Author", "SheetFormat", "Slope2"):
             if name in item.PropertiesList:
                 found[f"{item.Label}.{name}"] = getattr(item, name)
+        # Whatever is declared as an input, a preference of today or of later.
+        inputs = item.Proxy.declared(item) if hasattr(item, "BT_Type") else ()
+        for given in inputs:
+            if not given.output:
+                found[f"{item.Label}.{given.name} as text"] = str(getattr(item, given.name))
         if "LayerNames" in item.PropertiesList:
             found[f"{item.Label}.LayerNames"] = list(item.LayerNames)
     return found

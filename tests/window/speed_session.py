@@ -96,6 +96,16 @@ def open_model():
     return result
 
 
+def first_marks():
+    """Marks of all plates for the first time since the model was opened."""
+    FreeCADGui.Selection.clearSelection()
+    found = spent(lambda: FreeCADGui.runCommand("BendTorsion_ShowMarks"))
+    plates = [o for o in FreeCAD.ActiveDocument.Objects if getattr(o, "BT_Type", "") == "PlateSet"]
+    count = sum(len(item.ViewObject.Proxy.labels.labels) for item in plates)
+    FreeCADGui.runCommand("BendTorsion_ShowMarks")
+    return found | {"note": f"{count} marks"}
+
+
 def turn():
     """Turn the view of the model: the mean of ten turns."""
     view = FreeCADGui.ActiveDocument.ActiveView
@@ -191,4 +201,4 @@ def timed_activation(name):
 
 
 FreeCADGui.activateWorkbench = timed_activation
-steps.run(activation, edit, first_minute, open_model, turn, turn_labelled, open_page)
+steps.run(activation, edit, first_minute, open_model, first_marks, turn, turn_labelled, open_page)

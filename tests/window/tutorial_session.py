@@ -46,10 +46,10 @@ def folded_out(depth):
 
 
 def open_step_file():
-    """1: open the STEP file of the architect."""
-    import ImportGui
-
-    ImportGui.open(os.environ["BENDTORSION_WINDOW_STEP"])
+    """1: import the STEP file of the architect."""
+    with asked(open_file=os.environ["BENDTORSION_WINDOW_STEP"]):
+        shown = run("ImportShapes")
+    assert shown == [], shown
     steps.settle()
     look()
     steps.picture("1-step-file")

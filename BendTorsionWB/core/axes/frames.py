@@ -12,7 +12,7 @@ from .. import tolerances
 from ..finding import BendTorsionError, error
 from ..geometry.piecewise import DEGREE, Piecewise, resolve
 from ..geometry.surface import Surface
-from ..geometry.vectors import crossed
+from ..geometry.vectors import crossed, dots
 from .axis import Axis
 from .frames_law import GivenDirection, angle_law, ordered_places
 from .frames_minimal import carried, closing_angle, minimal_direction, turned
@@ -71,8 +71,8 @@ class Frames:
         rate, bend = value[:, 6:12], value[:, 12:]
         x, z = rate[:, :3], value[:, 3:6]
         y = crossed(z, x)
-        ky, kz = (bend * y).sum(axis=1), (bend * z).sum(axis=1)
-        twist = -(rate[:, 3:] * y).sum(axis=1)
+        ky, kz = dots(bend, y), dots(bend, z)
+        twist = -dots(rate[:, 3:], y)
         return FrameStations(s, value[:, :3], x, y, z, ky, kz, twist)
 
     @cached_property

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
+from .. import tolerances
 from ..finding import BendTorsionError, Finding, note
 from ..geometry.piecewise import Piecewise
 from ..geometry.rigid import moved
@@ -173,7 +174,8 @@ def _saddles(
     stops = moved(to_bed, _beside(member, face, places).reshape(-1, 3)).reshape(-1, 2, 3)
     saddles = []
     for k, (s, pair) in enumerate(zip(places.tolist(), bedded, strict=True), start=1):
-        low = int(pair[1, 2] < pair[0, 2])
+        # On a level saddle the stop stands at the first seat, not where rounding puts it.
+        low = int(pair[1, 2] < pair[0, 2] - tolerances.SAME_STATION)
         rise = pair[left] - pair[1 - left]
         saddles.append(
             Saddle(
@@ -297,15 +299,19 @@ def _control_points(
 ) -> tuple[ControlPoint, ...]:
     """Corners at the ends, and at the stations they have in between."""
     middle = [(f"L-{k}", np.full(len(corners.names), s)) for k, s in enumerate(stations)]
-    points = []
+    wanted = []
     for line, places in (("E-1", corners.first), *middle, ("E-2", corners.last)):
-        for k, name in enumerate(corners.names):
+        for k in range(len(corners.names)):
             s = float(places[k])
-            if line[0] == "L" and not corners.first[k] + 1.0 < s < corners.last[k] - 1.0:
-                continue
-            xyz = corners.points(k, np.array([s]))
-            points.append(ControlPoint(line, name, s, xyz[0], moved(to_bed, xyz)[0]))
-    return tuple(points)
+            if line[0] != "L" or corners.first[k] + 1.0 < s < corners.last[k] - 1.0:
+                wanted.append((line, k, s))
+    s = np.array([place for *_, place in wanted])
+    every = corners.at(s).reshape(len(s), -1, 3)
+    xyz = every[np.arange(len(s)), [k for _, k, _ in wanted]]
+    return tuple(
+        ControlPoint(line, corners.names[k], place, point, on_bed)
+        for (line, k, place), point, on_bed in zip(wanted, xyz, moved(to_bed, xyz), strict=True)
+    )
 
 
 def _drawn_lines(corners: _CornerLines, to_bed: np.ndarray) -> dict[str, np.ndarray]:

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ..geometry.piecewise import evaluate_together
+from ..geometry.vectors import dots
 from ..members.member import Member
 from ..members.piece_record import Piece
 from ..plates.plates import Plate
@@ -21,15 +23,18 @@ def control_sections(
 ) -> tuple[ControlSection, ...]:
     """The control sections of all pieces, along +s; plates cut askew are shown as far as their
     section planes reach."""
-    found = []
+    sections = []
     for piece in pieces:
         own = [plate for plate in plates if plate.piece == piece.number]
         for label, s in _places(member, piece):
-            later = label != "E-2"
-            cut = tuple(_cut(member, plate, s) for plate in own if _holds(plate, s, later))
-            if cut:
-                found.append(ControlSection(piece.number, label, s, cut))
-    return tuple(found)
+            held = [plate for plate in own if _holds(plate, s, label != "E-2")]
+            if held:
+                sections.append((piece.number, label, s, held))
+    cuts = iter(_cuts(member, [(plate, s) for *_, s, held in sections for plate in held]))
+    return tuple(
+        ControlSection(number, label, s, tuple(next(cuts) for _ in held))
+        for number, label, s, held in sections
+    )
 
 
 def _places(member: Member, piece: Piece) -> list[tuple[str, float]]:
@@ -51,12 +56,21 @@ def _holds(plate: Plate, s: float, later: bool) -> bool:
     return plate.start + 1e-6 < s <= plate.end + 1e-6
 
 
-def _cut(member: Member, plate: Plate, s: float) -> CutPlate:
-    at = member.frames.at(np.array([s]))
-    place = np.array([min(max(s, plate.start), plate.end)])
+def _cuts(member: Member, wanted: Sequence[tuple[Plate, float]]) -> list[CutPlate]:
+    """The plates cut at places on the axis."""
+    if not wanted:
+        return []
+    at = member.frames.at(np.array([s for _, s in wanted]))
+    places = [np.array([min(max(s, plate.start), plate.end)]) for plate, s in wanted]
     outer, inner = (
-        rail(place).reshape(2, 3) - at.origin for rail in (plate.rails.outer, plate.rails.inner)
+        np.concatenate(
+            evaluate_together([getattr(plate.rails, level) for plate, _ in wanted], places)
+        ).reshape(-1, 2, 3)
+        for level in ("outer", "inner")
     )
-    ring = np.concatenate([outer, inner[::-1]])
-    in_plane = np.stack([(ring * at.y).sum(axis=1), (ring * at.z).sum(axis=1)], axis=1)
-    return CutPlate(plate.mark, plate.face, plate.thickness, in_plane)
+    ring = np.concatenate([outer, inner[:, ::-1]], axis=1) - at.origin[:, None]
+    in_plane = np.stack([dots(ring, at.y[:, None]), dots(ring, at.z[:, None])], axis=2)
+    return [
+        CutPlate(plate.mark, plate.face, plate.thickness, own)
+        for (plate, _), own in zip(wanted, in_plane, strict=True)
+    ]

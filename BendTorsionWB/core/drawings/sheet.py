@@ -8,6 +8,7 @@ frozen, hashable and made of plain values, so a sheet can be stored as JSON and 
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from functools import lru_cache
@@ -228,10 +229,11 @@ def outside_frame(sheet: Sheet, tolerance: float = 1e-6) -> list[Text | Polyline
 
 
 def wrapped(text: str, height: float, width: float) -> list[str]:
-    """`text` broken into lines at most `width` mm wide; words wider than that are cut."""
+    """`text` broken into lines at most `width` mm wide, at spaces and between Chinese characters,
+    not before their closing marks; words wider than that are cut."""
     lines, line = [], ""
-    for word in text.split():
-        longer = f"{line} {word}" if line else word
+    for gap, word in _WORDS.findall(text.strip()):
+        longer = f"{line}{' ' if gap and line else ''}{word}"
         if text_width(longer, height) <= width:
             line = longer
             continue
@@ -243,6 +245,12 @@ def wrapped(text: str, height: float, width: float) -> list[str]:
             word = word[cut:]
         line = word
     return [*lines, line] if line else lines
+
+
+_CHINESE = "\u2e80-\u9fff\uf900-\ufaff\uff00-\uffef"
+_CLOSING = "，。；：、）！？”"
+_WORDS = re.compile(rf"(\s*)([{_CHINESE}][{_CLOSING}]*|[^\s{_CHINESE}]+[{_CLOSING}]*)")
+"""Words, and Chinese characters with the closing marks behind them; before them the space."""
 
 
 def _fitting(line: str, height: float, width: float) -> int:

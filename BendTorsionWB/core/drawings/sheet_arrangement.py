@@ -12,7 +12,7 @@ import numpy as np
 from ..lofting import MemberRecord
 from .sheet import Polyline, Sheet, Table, Text, View, text_box, text_width
 from .sheet_labels import Labels, as_points, label_beyond
-from .sheet_overview import DRAWN_TOLERANCE, HEADING, SCALES
+from .sheet_overview import DRAWN_TOLERANCE, HEADING, SCALES, line_ends
 from .sheet_page import TEXT, Page, Subject, finished
 from .sheet_pattern import simplified
 from .sheet_style import PLAIN_STYLE, SheetStyle, fixed
@@ -172,7 +172,7 @@ class _Views:
             view = self._view(name, scale, (x0, y0), (0, up))
             views.append(view)
             first = len(lines), len(texts)
-            self._axes(lines, texts, (x0, y0), "xy" if up == 1 else "xz", low, scale, up)
+            self._axes(lines, texts, view, "xy" if up == 1 else "xz", low, scale, up)
             if up == 1:
                 angle = -style.site.rotation
                 middle = y0 + 0.5 * float(low[1] + high[1]) / scale
@@ -197,6 +197,8 @@ class _Views:
                 polylines.append(
                     Polyline(as_points(points), "chain" if key == "axis" else "narrow")
                 )
+            for ends in _member_ends(record):
+                polylines.append(Polyline(as_points(ends[:, plane]), "narrow"))
         return View(name, float(scale), origin, tuple(polylines))
 
     def _marks(self, view: View, plane, scale: int, beside, words) -> Labels:
@@ -204,11 +206,7 @@ class _Views:
         boxes = [text_box(text) for text in words]
         around = [Polyline(as_points(np.vstack([box, box[[0, 2]]]))) for box in boxes]
         lines = [*view.on_page(), *beside, *around]
-        segments = [
-            np.stack([np.array(line.points[:-1]), np.array(line.points[1:])], axis=1)
-            for line in lines
-        ]
-        labels = Labels(np.concatenate(segments))
+        labels = Labels(_segments(lines))
         for record in self.records:
             axis = record.wireframe.get("axis")
             if axis is None:
@@ -223,15 +221,39 @@ class _Views:
                     break
         return labels
 
-    def _axes(self, lines, texts, origin, names: str, low, scale: int, up: int) -> None:
+    def _axes(self, lines, texts, view: View, names: str, low, scale: int, up: int) -> None:
         """Arrows along the model's axes: at its origin when that is shown, else at the corner."""
-        x, y = origin
+        x, y = view.origin
         if not (low[0] <= 0.0 <= self.bounds[1][0] and low[up] <= 0.0 <= self.bounds[1][up]):
             x = self.area[0] + 3.0
             y += float(low[up]) / scale - LABEL_ROOM + 2.0
         lines += arrow((x, y), (x + AXIS_LENGTH, y)) + arrow((x, y), (x, y + AXIS_LENGTH))
-        texts.append(Text(x + AXIS_LENGTH + 1.0, y - 0.9, TEXT, names[0]))
-        texts.append(Text(x, y + AXIS_LENGTH + 1.0, TEXT, names[1], anchor="middle"))
+        # Members may lie along an axis: its name stands beside them.
+        labels = Labels(_segments([*view.on_page(), *lines]))
+        for right, above, name in ((AXIS_LENGTH + 1.0, -0.9, names[0]),
+                                   (-0.6, AXIS_LENGTH + 1.0, names[1])):  # fmt: skip
+            aside = (0.0, 1.7, -1.7, 3.4, -3.4, 5.1, -5.1, 6.8, -6.8, 8.5, -8.5)
+            places = [(0.0, a) if right > 0.0 else (a, 0.0) for a in aside]
+            named = [Text(x + right + dx, y + above + dy, TEXT, name) for dx, dy in places]
+            texts.append(next((text for text in named if labels.put(text)), named[0]))
+
+
+def _member_ends(record: MemberRecord) -> list[np.ndarray]:
+    """The lines (2, 3) that end the faces of a member: those its first plates begin at and its
+    last ones end at."""
+    found = []
+    for face in dict.fromkeys(plate.face for plate in record.plates if plate.lines):
+        own = [plate for plate in record.plates if plate.face == face and plate.lines]
+        first, last = min(p.s_start for p in own), max(p.s_end for p in own)
+        found += [line_ends(p, "E-1") for p in own if p.s_start < first + 1.0]
+        found += [line_ends(p, "E-2") for p in own if p.s_end > last - 1.0]
+    return [ends for ends in found if len(ends) == 2]
+
+
+def _segments(lines: Sequence[Polyline]) -> np.ndarray:
+    """The segments (n, 2, 2) of lines on the page."""
+    parts = [np.array(line.points) for line in lines]
+    return np.concatenate([np.stack([part[:-1], part[1:]], axis=1) for part in parts])
 
 
 def _near(points: np.ndarray) -> bool:

@@ -10,9 +10,10 @@ import numpy as np
 
 from ..finding import Finding
 from ..lofting import MemberRecord
-from .sheet import Table, Text, wrapped
+from .sheet import Table, Text, text_width, wrapped
 from .sheet_findings import finding_text
 from .sheet_overview import overview
+from .sheet_pack import Block
 from .sheet_page import TEXT, Page, with_unit
 from .sheet_style import SheetStyle, fixed
 from .sheet_tables import (
@@ -21,11 +22,14 @@ from .sheet_tables import (
     fold_table,
     listing_pages,
     piece_table,
+    table_blocks,
     widths_of,
     zone_table,
 )
 
 GAP = 5.0
+LEAST_ROWS = 12
+"""Rows of the list of plates beside which the rest begins another column."""
 DEGREES = 57.29577951308232
 
 
@@ -36,15 +40,14 @@ def assembly_pages(record: MemberRecord, name: str, heading: str, style: SheetSt
     listing = plate_listing(record, style)
     figures, notes, right_top = _figures(record, style)
     if form.is_small:
-        seats, words = _seats(record, form.left, form.top, form.right - form.left, style)
-        more = Page(say("figures"), texts=(*notes, *words), tables=(*figures, *seats))
-        plates = listing_pages(say("plate list"), listing, style)
-        return [_with_views(Page(heading), record, form.clear_bottom, style, name), more, *plates]
+        return _small_pages(record, name, heading, style)
     rows, widths = listing.rows, listing.widths
     room = form.title_block[0] - form.left
     columns = int(room // (sum(widths) + GAP))
     most = int(0.4 * (form.top - form.bottom) / ROW_HEIGHT)
-    height = min(-(-len(rows) // columns), most) if columns else 0
+    # A few rows are one table, not a table each.
+    each = max(-(-len(rows) // columns), min(len(rows), LEAST_ROWS)) if columns else 0
+    height = min(each, most)
     tables = tuple(
         Table(
             form.left + k * (sum(widths) + GAP),
@@ -72,10 +75,89 @@ def assembly_pages(record: MemberRecord, name: str, heading: str, style: SheetSt
         texts += [replace(text, y=text.y + up) for text in words]
         left_top = up
     bottom = max(left_top + 2.0, right_top + 2.0)
-    page = Page(heading, texts=(*texts, *notes), tables=(*tables, *seats, *figures))
+    tables = (*tables, *seats, *figures)
+    page = Page(heading, texts=(*texts, *notes), tables=tables, lists_plates=bool(columns))
     rest = replace(listing, rows=rows[columns * height :])
     page = _with_views(page, record, bottom, style, name)
-    return [page, *listing_pages(say("plate list"), rest, style)]
+    return [page, *_listed(listing_pages(say("plate list"), rest, style))]
+
+
+def _small_pages(record: MemberRecord, name: str, heading: str, style: SheetStyle) -> list[Page]:
+    """The pages of a small format: figures, saddles and plates below the views as far as these
+    keep their scale, the rest on pages that follow."""
+    form, say = style.page, style.say
+    listing = plate_listing(record, style)
+    figures, notes, top = _figures(record, style)
+    box = (form.left, form.clear_bottom, form.right, top)
+    blocks = [Block("", (), (), tuple(notes), box, figures)]
+    seats = _seats_block(record, style)
+    plates = [
+        block.moved(form.left, 0.0)
+        for block in table_blocks(listing, max(len(listing.rows), 1), "")
+    ]
+    whole = all(block.size[1] <= form.top - form.clear_bottom for block in plates)
+    if whole and seats and plates and seats.size[0] + GAP <= form.right - plates[0].box[2]:
+        # The plates with the saddles beside them.
+        beside = seats.moved(plates[0].box[2] + GAP - seats.box[0], 0.0)
+        low = min(beside.box[1], plates[0].box[1])
+        plates = [
+            replace(
+                plates[0],
+                texts=(*plates[0].texts, *beside.texts),
+                tables=(*plates[0].tables, *beside.tables),
+                box=(form.left, low, beside.box[2], 0.0),
+            )
+        ]
+        seats = None
+    blocks += ([seats] if seats else []) + (plates if whole else [])
+    views = _with_views(Page(heading), record, form.clear_bottom, style, name)
+    first, y = Page(heading), form.clear_bottom
+    while blocks:
+        high = blocks[0].size[1]
+        drawn = _with_views(first, record, y + high + 4.0, style, name)
+        if drawn.scale != views.scale or y + high > form.top:
+            break
+        first = _with_block(first, blocks[0], y, plates)
+        y += high + GAP
+        del blocks[0]
+    pages = [_with_views(first, record, y, style, name)]
+    room = 0.0
+    for block in blocks:
+        if block.size[1] > room:
+            pages.append(Page(say("plate list" if block in plates else "figures")))
+            room = form.top - form.clear_bottom
+        pages[-1] = _with_block(pages[-1], block, form.clear_bottom + room - block.size[1], plates)
+        room -= block.size[1] + GAP
+    rest = [] if whole else listing_pages(say("plate list"), listing, style)
+    return [*pages, *_listed(rest)]
+
+
+def _seats_block(record: MemberRecord, style: SheetStyle) -> Block | None:
+    """What `_seats` gives hanging from height 0; None without."""
+    form = style.page
+    tables, words = _seats(record, form.left, 0.0, form.right - form.left, style)
+    if not tables:
+        return None
+    low = min(table.y - table.height for table in tables)
+    right = max(table.x + sum(table.widths) for table in tables)
+    right = max(right, *(text.x + text_width(text.text, text.height) for text in words))
+    return Block("", (), (), tuple(words), (form.left, low, right, 0.0), tuple(tables))
+
+
+def _with_block(page: Page, block: Block, y: float, plates: Sequence[Block]) -> Page:
+    """The page with a block whose lower edge is at height y; known when it lists the plates."""
+    placed = block.moved(0.0, y - block.box[1])
+    return replace(
+        page,
+        texts=(*page.texts, *placed.texts),
+        tables=(*page.tables, *placed.tables),
+        lists_plates=page.lists_plates or block in plates,
+    )
+
+
+def _listed(pages: list[Page]) -> list[Page]:
+    """Pages of the list of plates, known as such."""
+    return [replace(page, lists_plates=True) for page in pages]
 
 
 def _with_views(

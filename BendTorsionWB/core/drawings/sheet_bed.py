@@ -14,7 +14,7 @@ from .sheet_overview import DRAWN_TOLERANCE, SCALES
 from .sheet_page import TEXT, Page
 from .sheet_pattern import simplified
 from .sheet_style import PLAIN_STYLE, SheetStyle, fixed
-from .sheet_tables import ROW_HEIGHT, widths_of
+from .sheet_tables import ROW_HEIGHT, Listing, widths_of
 
 MOST_ROWS = 22
 """Rows of the table of seats on the page of the plan."""
@@ -59,8 +59,48 @@ def seat_rows(bed: Bed, style: SheetStyle = PLAIN_STYLE) -> list[tuple[str, ...]
 
 
 def point_rows(bed: Bed, style: SheetStyle = PLAIN_STYLE) -> list[tuple[str, ...]]:
-    """The table of control points."""
-    return [(p.line, p.corner, *map(style.measure, (p.s, *p.xyz, *p.bed))) for p in bed.points]
+    """The table of control points, with their places on the site where that has a datum."""
+    digits = 3 if style.site.unit == "m" else 1
+    return [
+        (
+            p.line,
+            p.corner,
+            *map(style.measure, (p.s, *p.xyz, *p.bed)),
+            *(fixed(v, digits) for v in style.site.of(p.xyz).tolist() if style.is_sited),
+        )
+        for p in bed.points
+    ]
+
+
+def points_header(style: SheetStyle) -> tuple[str, ...]:
+    """The columns of `point_rows`."""
+    site = [style.say("site {}, {}", name, style.site.unit) for name in "xyz" if style.is_sited]
+    return (*style.said(POINTS_HEADER), *site)
+
+
+def point_listings(bed: Bed, style: SheetStyle) -> list[tuple[str, Listing]]:
+    """The control points under their heading; where places on the site make the list wider than a
+    page, those are a list of their own."""
+    header, rows = points_header(style), tuple(point_rows(bed, style))
+    whole = Listing("", header, rows, "<<" + ">" * (len(header) - 2))
+    if sum(whole.widths) <= style.page.right - style.page.left:
+        return [("control points", whole)]
+    own, site = len(POINTS_HEADER), (0, 1, 2, *range(len(POINTS_HEADER), len(header)))
+    return [
+        (
+            "control points",
+            Listing("", header[:own], tuple(row[:own] for row in rows), whole.align[:own]),
+        ),
+        (
+            "control points on the site",
+            Listing(
+                "",
+                tuple(header[k] for k in site),
+                tuple(tuple(row[k] for k in site) for row in rows),
+                "".join(whole.align[k] for k in site),
+            ),
+        ),
+    ]
 
 
 def pin_rows(bed: Bed, style: SheetStyle = PLAIN_STYLE) -> list[tuple[str, ...]]:
@@ -81,8 +121,9 @@ def seats_shown(style: SheetStyle) -> int:
     return 0 if style.page.is_small else MOST_ROWS
 
 
-def bed_page(bed: Bed, style: SheetStyle = PLAIN_STYLE) -> Page:
-    """Plan and elevation of a piece on its bed with the first rows of its table of seats."""
+def bed_page(bed: Bed, style: SheetStyle = PLAIN_STYLE) -> tuple[Page, bool]:
+    """Plan and elevation of a piece on its bed with the first rows of its table of seats; and
+    whether its control points are there, too, as on large pages where the views leave room."""
     form, say = style.page, style.say
     rows = seat_rows(bed, style)[: seats_shown(style)]
     header = style.said(SEATS_HEADER)
@@ -114,11 +155,26 @@ def bed_page(bed: Bed, style: SheetStyle = PLAIN_STYLE) -> Page:
     else:
         tables[0] = replace(frame, x=form.left)
         y = frame.y + 3.0
-    for line in reversed(wrapped(words, TEXT, form.right - form.left)):
+    lines = wrapped(words, TEXT, form.right - form.left)
+    room = 3.3 * len(lines) + 2.0
+    drawn = _views(bed, y + room, style)
+    points = _points_beside(bed, tables, style)
+    if points:
+        high = points[0].y + 6.0
+        beside = drawn if high <= y else _views(bed, high + room, style)
+        if beside[0] == drawn[0]:
+            drawn, y = beside, max(y, high)
+            title = say("Control points ({})", style.measured_in)
+            texts.append(Text(points[0].x, points[0].y + 1.2, LABEL, title))
+            note = say(POINTS_NOTE, style.measured_in)
+            texts.append(Text(points[0].x, form.bottom + 1.0, TEXT, note))
+            tables += points
+        else:
+            points = []
+    for line in reversed(lines):
         texts.append(Text(form.left, y, TEXT, line))
         y += 3.3
-    drawn = _views(bed, y + 2.0, style)
-    return Page(
+    page = Page(
         say("bed plan {}", bed.name),
         (),
         f"1:{drawn[0]}",
@@ -127,6 +183,33 @@ def bed_page(bed: Bed, style: SheetStyle = PLAIN_STYLE) -> Page:
         (*drawn[3], *texts),
         tuple(tables),
     )
+    return page, bool(points)
+
+
+def _points_beside(bed: Bed, tables: list[Table], style: SheetStyle) -> list[Table]:
+    """The control points as tables between those left of the title block and it, if they find room
+    in less than half of the page's height."""
+    form = style.page
+    header, rows = points_header(style), point_rows(bed, style)
+    own = [t for t in tables if t.x + sum(t.widths) < form.title_block[0]]
+    left = max((table.x + sum(table.widths) for table in own), default=form.left) + GAP
+    widths = widths_of(header, rows)
+    note = text_width(style.say(POINTS_NOTE, style.measured_in), TEXT)
+    right = form.title_block[0] - GAP
+    count = int((right - left + GAP) // (sum(widths) + GAP))
+    if form.is_small or not rows or count < 1 or left + note > right:
+        return []
+    each = -(-len(rows) // count)
+    foot = form.bottom + 4.5
+    top = foot + ROW_HEIGHT * (each + 1)
+    if top - form.bottom > 0.4 * (form.top - form.bottom):
+        return []
+    parts = [tuple(rows[start : start + each]) for start in range(0, len(rows), each)]
+    align = "<<" + ">" * (len(header) - 2)
+    return [
+        Table(left + k * (sum(widths) + GAP), top, widths, header, part, align, ROW_HEIGHT, TEXT)
+        for k, part in enumerate(parts)
+    ]
 
 
 HOW_BEDDED = {

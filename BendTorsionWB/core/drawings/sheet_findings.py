@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 
-from ..finding import Finding
+from ..finding import Finding, figure_text
 from .sheet_style import SheetStyle
 
 FINDINGS_CHINESE: dict[str, str] = {
@@ -20,17 +20,28 @@ FINDINGS_CHINESE: dict[str, str] = {
     "axis-point-moved": "轴线点被移到曲面上",
     "axis-rule-tolerance": "按规则生成的轴线超出公差",
     "axis-size": "轴线尺寸可疑，请核对单位",
+    "backing-clash": "垫板与隔板相碰，请加大隔板切角",
+    "bevel-beyond-head": "坡口角度超过切割头能力",
     "beyond-stock": "板件大于库存钢板，需增加拼接或另行订板",
-    "edge-row-unused": "Edges 表中该行不适用于任何焊缝",
+    "diaphragm-gap": "壁板倾斜，隔板方边处角焊缝间隙过大",
+    "diaphragm-not-welded": "隔板与壁板间隙过大，未列焊缝",
+    "diaphragm-skew": "隔板与壁板夹角过小，不能用角焊缝",
+    "end-plate-weld": "端板旁无角焊缝位置，请加大外伸量",
     "joint-beside-fold": "拼接离折线过近",
     "joint-in-node": "拼接位于节点范围内",
     "joints-not-staggered": "相邻面的拼接错开距离不足，请移动其一",
     "lane-too-narrow": "分条宽度小于规则",
     "locked-in-stress": "残留应力超过规则限值",
     "node-blend-nothing": "节点过渡没有可过渡之处",
+    "node-branches-near": "两支构件落点过近，相对的焊缝无法施焊",
     "node-diaphragm-access": "节点隔板无法施焊",
+    "node-diaphragm-arris": "节点隔板与壁板夹角过小，不设隔板",
     "node-diaphragms-meet": "节点隔板相碰",
+    "node-manhole": "节点隔板人孔过小，人员不能通过",
     "piece-too-short": "板件短于规则允许长度，请移动拼接",
+    "root-gap-lanes": "分条之间的根部间隙不从板上扣除",
+    "root-gap-whole-seam": "根部间隙沿整条焊缝有效",
+    "site-unit": "现场坐标按 mm 读取，请核对单位",
     "stagger-without-change": "错开量所在处厚度不变",
     "surface-border": "曲面边界在构件范围内",
     "surface-size": "曲面尺寸可疑，请核对单位",
@@ -59,13 +70,13 @@ def finding_text(finding: Finding, style: SheetStyle) -> str:
     """A finding as one line in the style's language; codes without a Chinese sentence stay as they
     are."""
     if style.language != "zh" or finding.code not in FINDINGS_CHINESE:
-        return finding.line().removeprefix(f"{finding.severity}: ")
+        return finding.line(style.told_length).removeprefix(f"{finding.severity}: ")
     pair = _FACE_PAIR.search(finding.message)
     places = [finding.object, _translated(finding.position)]
     places += [_translated(" ".join(("faces", pair[1], "and", pair[2])))] if pair else []
     text = f"{'，'.join(place for place in places if place)}：{FINDINGS_CHINESE[finding.code]}"
     figures = [
-        f"{name} {value:.6g} {finding.unit}".rstrip()
+        f"{name} {figure_text(float(value), finding.unit, style.told_length)}"
         for name, value in (("实际", finding.value), ("限值", finding.limit))
         if isinstance(value, (int, float))
     ]

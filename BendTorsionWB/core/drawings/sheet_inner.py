@@ -8,6 +8,7 @@ import numpy as np
 from ..lofting import DevelopedPlate, FlatHole
 from .sheet import Polyline, Text
 from .sheet_labels import LABEL_HEIGHT, Labels, as_points, label_along, label_beyond
+from .sheet_style import SheetStyle
 
 
 def hole_middle(hole: FlatHole) -> np.ndarray:
@@ -16,14 +17,17 @@ def hole_middle(hole: FlatHole) -> np.ndarray:
     return 0.5 * (points.min(axis=0) + points.max(axis=0))
 
 
-def label_inner(plate: DevelopedPlate, labels: Labels, corner, scale: float, at: str = "at") -> int:
+def label_inner(
+    plate: DevelopedPlate, labels: Labels, corner, scale: float, style: SheetStyle
+) -> int:
     """Openings with their size and the u, v of their middle, and the texts of marks; the number
     that found no room."""
     left_out = 0
     outline = (np.concatenate(plate.outline) - corner) / scale
     for hole in plate.holes:
         middle = hole_middle(hole) - corner
-        text = f"{hole.label} {hole.title} {at} {middle[0]:.1f}, {middle[1]:.1f}"
+        place = ", ".join(map(style.fine, middle.tolist()))
+        text = f"{hole.label} {style.shape(hole.title)} {style.say('at')} {place}"
         x, y = middle / scale
         high = 0.5 * float(np.ptp(np.concatenate(hole.runs)[:, 1])) / scale
         left_out += not any(
@@ -58,8 +62,10 @@ def _label_outside(labels: Labels, label: str, start: np.ndarray, outline: np.nd
         near = outline[np.argsort(np.abs(outline[:, 0] - across))[:6], 1]
         for edge in (near.max(), near.min()):
             end, far = np.array([across, edge]), np.array([across, start[1]])
-            if abs(edge - start[1]) > 0.5 and label_beyond(labels, label, end, far):
-                leader = np.array([start, end])
+            leader = np.array([start, end])
+            if abs(edge - start[1]) <= 0.5 or not labels.clear_of_texts(leader[None]):
+                continue
+            if label_beyond(labels, label, end, far):
                 labels.leaders.append(Polyline(as_points(leader), "narrow"))
                 labels.keep_off(leader[None])
                 return True

@@ -86,6 +86,26 @@ class Labels:
         self.bounds.append(bound)
         return True
 
+    def clear_of_texts(self, segments: np.ndarray) -> bool:
+        """True when segments (n, 2, 2) cross no text placed so far."""
+        return not any(_crossed(box, segments, 0.1) for box in self.boxes)
+
+    def put_group(self, box: np.ndarray, texts: list[Text], leader: np.ndarray) -> bool:
+        """Take texts that fill a rectangle (4, 2), and the segments (n, 2, 2) of a leader to it
+        that may cross lines, as placed; False when the rectangle touches anything or the leader a
+        text."""
+        if any(boxes_overlap(box, other, CLEARANCE) for other in self.boxes):
+            return False
+        if _crossed(box, self._near(box.min(axis=0), box.max(axis=0)), CLEARANCE):
+            return False
+        if not self.clear_of_texts(leader):
+            return False
+        self.keep_off(leader)
+        self.texts += texts
+        self.boxes.append(box)
+        self.bounds.append((*box.min(axis=0).tolist(), *box.max(axis=0).tolist()))
+        return True
+
 
 def _with_space(box: np.ndarray) -> np.ndarray:
     """The box of a text longer at both ends, so that two texts do not read as one."""

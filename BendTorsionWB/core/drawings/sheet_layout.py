@@ -9,24 +9,24 @@ import numpy as np
 
 from ..finding import has_error
 from ..lofting import MemberRecord, ZoneRecord
-from ..members.piece_record import PieceFigures
+from ..members.piece_record import Piece, PieceFigures
 from .sheet import Sheet, Text, wrapped
 from .sheet_assembly import assembly_pages
 from .sheet_bed import (
     PINS_HEADER,
     PINS_NOTE,
-    POINTS_HEADER,
     POINTS_NOTE,
     SEATS_HEADER,
     bed_page,
     pin_rows,
-    point_rows,
+    point_listings,
     seat_rows,
     seats_shown,
 )
 from .sheet_findings import finding_text
 from .sheet_page import Page, finished, subject_of
 from .sheet_plate import plate_pages
+from .sheet_references import with_numbers
 from .sheet_section import section_pages
 from .sheet_style import PLAIN_STYLE, SheetStyle
 from .sheet_tables import Listing, listing_pages
@@ -43,6 +43,7 @@ def member_sheets(
         pages = [*_assemblies(record, style), *_bed_pages(record, style)]
         pages += plate_pages(record, style) if with_plates else []
     subject = subject_of(record)
+    pages = with_numbers(pages)
     return tuple(
         finished(page, subject, style, number, len(pages))
         for number, page in enumerate(pages, start=1)
@@ -108,7 +109,9 @@ def piece_record(record: MemberRecord, own: PieceFigures) -> MemberRecord:
         mass=own.mass,
         plates=plates,
         wireframe=_clipped(
-            {name: line for name, line in record.wireframe.items() if name not in marks}, start, end
+            {name: line for name, line in record.wireframe.items() if name not in marks},
+            piece,
+            {plate.letter: plate.face for plate in record.plates if plate.lines},
         ),
         findings=tuple(f for f in record.findings if f.object in {p.mark for p in plates}),
         zones=zones,
@@ -121,8 +124,11 @@ def piece_record(record: MemberRecord, own: PieceFigures) -> MemberRecord:
     )
 
 
-def _clipped(wireframe: dict[str, np.ndarray], start: float, end: float) -> dict[str, np.ndarray]:
-    """The lines along a member between two arc lengths; others, such as rings, as they are."""
+def _clipped(
+    wireframe: dict[str, np.ndarray], piece: Piece, faces: dict[str, str]
+) -> dict[str, np.ndarray]:
+    """The lines along a member between the ends of a piece, a corner line as far as the longer of
+    its two faces; others, such as rings, as they are. faces: by the letter that names a corner."""
     axis = wireframe.get("axis")
     if axis is None:
         return wireframe
@@ -134,6 +140,9 @@ def _clipped(wireframe: dict[str, np.ndarray], start: float, end: float) -> dict
             clipped[name] = line
             continue
         places = s if len(line) == len(s) else np.repeat(s, 2)
+        own = [faces[letter] for letter in name if letter in faces] if name != "axis" else []
+        start = max(min(map(piece.start_of, own), default=piece.start), 0.0)
+        end = min(max(map(piece.end_of, own), default=piece.end), float(s[-1]))
         inside = line[(places > start) & (places < end)]
         ends = np.array(
             [[np.interp(at, places, line[:, k]) for k in range(3)] for at in (start, end)]
@@ -145,21 +154,25 @@ def _clipped(wireframe: dict[str, np.ndarray], start: float, end: float) -> dict
 def _bed_pages(record: MemberRecord, style: SheetStyle) -> list[Page]:
     pages, say = [], style.say
     for bed in record.beds:
+        page, with_points = bed_page(bed, style)
+        pages.append(page)
+        rest = seat_rows(bed, style)[seats_shown(style) :]
+        points = () if with_points else point_listings(bed, style)
         tables = (
             (
                 "seats",
-                SEATS_HEADER,
-                seat_rows(bed, style)[seats_shown(style) :],
-                "<" + ">" * 8 + "<>>>",
+                _table(SEATS_HEADER, rest, "<" + ">" * 8 + "<>>>", style),
                 "",
             ),
-            ("control points", POINTS_HEADER, point_rows(bed, style), "<<" + ">" * 7, POINTS_NOTE),
-            ("pins", PINS_HEADER, pin_rows(bed, style), ">" * 6, PINS_NOTE),
+            *((what, own, POINTS_NOTE) for what, own in points),
+            ("pins", _table(PINS_HEADER, pin_rows(bed, style), ">" * 6, style), PINS_NOTE),
         )
-        pages.append(bed_page(bed, style))
-        for what, header, rows, align, note in tables:
+        for what, listing, note in tables:
             heading = say("bed {}: {}", bed.name, say(what))
-            listing = Listing("", style.said(header), tuple(rows), align)
             words = say(note, style.measured_in) if note else ""
             pages += listing_pages(heading, listing, style, words)
     return pages
+
+
+def _table(header, rows, align: str, style: SheetStyle) -> Listing:
+    return Listing("", style.said(header), tuple(rows), align)

@@ -5,20 +5,24 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 
-from ..lofting import DevelopedPlate, MemberRecord
-from ..nodes.node_ends import PlateEnd, axis_at, plate_ends
+from ..lofting import MemberRecord
+from ..nodes.node_ends import PlateEnd, plate_ends
 from ..nodes.node_record import FlangeStep, NodeRecord
-from ..welds.weld_record import Weld
 from .sheet import Sheet, Text, wrapped
-from .sheet_node_view import Joining, node_views, spread_out
-from .sheet_pack import packed
+from .sheet_node_diaphragm import diaphragm_block, diaphragm_listing, inside, place_listing
+from .sheet_node_joining import Joining
+from .sheet_node_view import node_views, spread_out
+from .sheet_node_weld import node_weld_listing, on_face, welds_of_node
+from .sheet_overview import SCALES
+from .sheet_pack import Block, packed, shelf_height
 from .sheet_page import TEXT, Page, Subject, finished
 from .sheet_style import PLAIN_STYLE, SheetStyle, fixed
 from .sheet_tables import ROW_HEIGHT, TITLE_ROOM, Listing, table_blocks
-from .sheet_weld import kind_letters, symbol_blocks, weld_kind
+from .sheet_weld import kind_letters, symbol_blocks
 
 BRANCHES = (
     "branch", "s", "s of through", "angle, °", "axes apart", "type", "root gap", "stub", "lands on",
@@ -27,19 +31,30 @@ STEPS = (
     "branch", "side of node", "face", "edge", "against", "step", "limit", "angle, °", "limit, °",
     "rule",
 )  # fmt: skip
-ENDS = ("plate", "end", "side of node", "t", "cut length", "bevel, °", "dihedral, °", "on face")
-DIAPHRAGMS = ("diaphragm", "t", "length", "width", "mass, kg")
-WELDS = ("weld", "cut / on", "t", "length", "dihedral, °", "symbol", "groove, °", "gap", "place")
+ENDS = (
+    "plate",
+    "end",
+    "side of node",
+    "t",
+    "cut length",
+    "angle of cut, °",
+    "dihedral, °",
+    "on face",
+)
 NOTE = (
     "Views show plates by the edges of their outer faces; broken: diaphragms; wide: cuts at the "
     "node. Side of node: before or behind it along the branch. Step: of the branch's face over "
     "that of the member that runs through; held against the rule where both plates are in line. "
-    "Bevel: of the cut against square at its two corners, positive where the outer face is the "
-    "longer. Dihedral: between plate and face on the inner side."
+    "Angle of cut: of the end as it lies on the face, without its groove, against square, at its "
+    "two corners, positive where the outer face is the longer. Dihedral: between plate and face "
+    "on the inner side. Places of diaphragms: the middle of each side at mid-thickness, from the "
+    "node, x along the member that runs through, y to the left, z outwards. Symbols: one for each "
+    "kind of weld, its letter in the tail."
 )
 SMALLEST_ROWS = 8
-FIRST_TABLES = 4
-"""Tables of the branches and their ends, that stand together."""
+SMALLEST_VIEW = 70.0
+"""mm; height of the highest view with its labels below which no smaller scale is tried to save a
+page."""
 
 
 def node_sheets(
@@ -60,7 +75,6 @@ def node_sheets(
     pages = []
     for own in nodes:
         through = drawn[own[0][0].through]
-        joinings = [Joining(node, record, plate_ends(node, record)) for node, record in own]
         names = ", ".join(dict.fromkeys([through.member, *(record.member for _, record in own)]))
         sections = "; ".join(
             dict.fromkeys([through.sections, *(record.sections for _, record in own)])
@@ -69,11 +83,20 @@ def node_sheets(
             dict.fromkeys(p.material for r in (through, *(r for _, r in own)) for p in r.plates)
         )
         subject = Subject(names, sections, materials, None, code="NODES")
-        pages += [(page, subject) for page in node_pages(through, joinings, style)]
+        pages += [(page, subject) for page in _pages_of(through, tuple(own), style)]
     return tuple(
         finished(page, subject, style, number, len(pages))
         for number, (page, subject) in enumerate(pages, start=1)
     )
+
+
+@lru_cache(maxsize=128)
+def _pages_of(
+    through: MemberRecord, own: tuple[tuple[NodeRecord, MemberRecord], ...], style: SheetStyle
+) -> tuple[Page, ...]:
+    # An edit of one member leaves the nodes of all others as they are.
+    joinings = [Joining(node, record, plate_ends(node, record)) for node, record in own]
+    return tuple(node_pages(through, joinings, style))
 
 
 def has_nodes(records: Sequence[MemberRecord]) -> bool:
@@ -85,37 +108,54 @@ def has_nodes(records: Sequence[MemberRecord]) -> bool:
 def node_pages(
     through: MemberRecord, joinings: Sequence[Joining], style: SheetStyle = PLAIN_STYLE
 ) -> list[Page]:
-    """The page of a node; what of its tables finds no room follows on pages of its own."""
+    """The page of a node, its views as large as leaves the fewest pages; what of its tables finds
+    no room follows on pages of its own."""
     form, say = style.page, style.say
-    scale, views, left_out = node_views(through, joinings, style)
-    words = say(NOTE)
-    if left_out:
-        words += " " + say("No room for the marks {}.", ", ".join(left_out))
-    lines = wrapped(words, TEXT, form.note_width or form.right - form.left)
+    views = node_views(through, joinings, style)
+    given = listings(through, joinings, style)
+    flats = inside(through, joinings)
+    lines = wrapped(say(NOTE), TEXT, form.note_width or form.right - form.left)
     foot = form.bottom + 1.0 if form.note_width else form.clear_bottom
-    bottom = max(form.clear_bottom, foot + 3.2 * len(lines) + 2.0)
+    # One line more, for marks without room.
+    bottom = max(form.clear_bottom, foot + 3.2 * (len(lines) + 1) + 2.0)
+    area = (form.left, bottom, form.right, form.top)
+    width, height = area[2] - area[0], area[3] - area[1]
+    welds = welds_of_node(through, joinings)
+    symbols = symbol_blocks(welds, kind_letters(welds), style)
+
+    def below(scale: int) -> list[Block]:
+        shapes = [diaphragm_block(plate, scale, style) for plate in flats]
+        return _below(given, shapes, symbols, (width, height), say("continued"))
+
+    guessed = []
+    for scale in SCALES:
+        rooms = views.room(scale)
+        wide, high = (max(room[k] for room in rooms) for k in (0, 1))
+        if guessed and high < SMALLEST_VIEW:
+            break
+        if (wide <= width and high <= height) or scale == SCALES[-1]:
+            blocks = [Block("", (), (), (), (0.0, 0.0, *room)) for room in rooms]
+            rest = below(scale)
+            guessed.append((len(_arranged(blocks, rest, area)), scale, rest))
+    best: tuple | None = None
+    for count, scale, rest in sorted(guessed, key=lambda one: one[:2]):
+        if best is not None and count >= len(best[2]):
+            break
+        blocks, left_out = views.blocks(scale)
+        pages = _arranged(spread_out(blocks, width), rest, area)
+        if best is None or len(pages) < len(best[2]):
+            best = (scale, left_out, pages)
+    scale, left_out, pages = best
+    if left_out:
+        more = say("No room for the marks {}.", ", ".join(left_out))
+        lines = wrapped(f"{say(NOTE)} {more}", TEXT, form.note_width or form.right - form.left)
     notes = tuple(
         Text(form.left, foot + 3.2 * (len(lines) - 1 - k), TEXT, line)
         for k, line in enumerate(lines)
     )
-    area = (form.left, bottom, form.right, form.top)
-    most = int((area[3] - area[1] - TITLE_ROOM) // ROW_HEIGHT) - 1
-    rows = most if form.is_small else max(SMALLEST_ROWS, most // 3)
-    given = listings(through, joinings, style)
-    tables = [
-        [
-            block
-            for listing in part
-            for block in table_blocks(listing, _even(len(listing.rows), rows), say("continued"))
-        ]
-        for part in (given[:FIRST_TABLES], given[FIRST_TABLES:])
-    ]
-    welds = _of_node(through, joinings)
-    symbols = symbol_blocks(welds, kind_letters(welds), style)
-    node = joinings[0].node
     marks = tuple(end.plate.mark for own in joinings for end in own.ends)
-    marks += tuple(plate.mark for plate in inside(through, joinings))
-    heading = say("node {}", node.node)
+    marks += tuple(plate.mark for plate in flats)
+    heading = say("node {}", joinings[0].node.node)
     return [
         Page(
             heading,
@@ -126,10 +166,42 @@ def node_pages(
             (*(text for block in page for text in block.texts), *notes),
             tuple(table for block in page for table in block.tables),
         )
-        for page in packed(
-            [spread_out(views, area[2] - area[0]), tables[0], [*tables[1], *symbols]], area
-        )
+        for page in pages
     ]
+
+
+def _arranged(views: list[Block], rest: list[Block], area) -> list[list[Block]]:
+    """The blocks of each page: the views, the rest in rows of its own where one page holds all,
+    else filled in from where the views end."""
+    pages = packed([views, rest], area)
+    return pages if len(pages) == 1 else packed([[*views, *rest]], area)
+
+
+def _below(
+    given: Sequence[Listing],
+    shapes: Sequence[Block],
+    symbols: Sequence[Block],
+    size: tuple[float, float],
+    continued: str,
+) -> list[Block]:
+    """The tables, shapes and symbols below the views, the tables cut so that all of them take the
+    least height of pages of this width and height, in as few tables as that allows."""
+    width, height = size
+    given = [listing.within(width) for listing in given]
+    most = int((height - TITLE_ROOM) // ROW_HEIGHT) - 1
+    best: tuple[float, list[Block]] | None = None
+    for rows in (most, 16, SMALLEST_ROWS):
+        tables = [
+            block
+            for listing in given
+            for block in table_blocks(listing, _even(len(listing.rows), min(rows, most)), continued)
+        ]
+        # Those of about one height side by side.
+        blocks = [*sorted([*tables, *shapes], key=lambda block: -block.size[1]), *symbols]
+        high = shelf_height([block.size for block in blocks], width)
+        if best is None or high < best[0] - 4.0:
+            best = (high, blocks)
+    return best[1]
 
 
 def _even(count: int, most: int) -> int:
@@ -137,30 +209,12 @@ def _even(count: int, most: int) -> int:
     return -(-count // -(-count // most))
 
 
-def inside(through: MemberRecord, joinings: Sequence[Joining]) -> list[DevelopedPlate]:
-    """The diaphragms of the member that runs through between the ends of the branches' cuts."""
-    ends = [end for own in joinings for end in own.ends]
-    if not ends:
-        return []
-    node = joinings[0].node
-    foot, along = axis_at(through, np.array([node.x, node.y, node.z]))
-    places = [float(((corner - foot) * along).sum()) for e in ends for corner in e.corners]
-    low, high = min(places), max(places)
-    return [
-        plate
-        for plate in through.plates
-        if plate.face == "diaphragm"
-        and low <= float(((plate.centre_of_gravity - foot) * along).sum()) <= high
-    ]
-
-
 def listings(
     through: MemberRecord, joinings: Sequence[Joining], style: SheetStyle
 ) -> list[Listing]:
     """The tables of a node, those with rows."""
     say, node = style.say, joinings[0].node
-    welds = _of_node(through, joinings)
-    letters = kind_letters(welds)
+    flats = inside(through, joinings)
     title = say("Node {}: {}, {} runs through", node.node, say(node.kind), through.member)
     digits = 3 if style.site.unit == "m" else 1
     model = np.array([node.x, node.y, node.z])
@@ -186,27 +240,9 @@ def listings(
             tuple(_end(end, style) for own in joinings for end in own.ends),
             "<<<>>>><",
         ),
-        Listing(
-            say("Diaphragms inside"),
-            style.said(DIAPHRAGMS),
-            tuple(
-                (
-                    plate.mark,
-                    f"{plate.thickness:g}",
-                    style.length(plate.length),
-                    style.length(plate.width),
-                    fixed(plate.mass, 1),
-                )
-                for plate in inside(through, joinings)
-            ),
-            "<>>>>",
-        ),
-        Listing(
-            say("Welds"),
-            style.said(WELDS),
-            tuple(_weld(weld, letters[weld_kind(weld)], style) for weld in welds),
-            "<<>>><>><",
-        ),
+        diaphragm_listing(flats, style),
+        place_listing(through, joinings, flats, style),
+        node_weld_listing(welds_of_node(through, joinings), style),
     ]
     return [listing for listing in found if listing.rows]
 
@@ -221,7 +257,7 @@ def _branches(joinings: Sequence[Joining], style: SheetStyle) -> tuple[tuple[str
             fixed(math.degrees(node.angle), 2),
             fixed(node.axis_distance, 2),
             say(node.type),
-            style.length(node.gap),
+            style.fine(node.gap),
             style.length(node.stub_length) if node.type == "stub" else "–",
             ", ".join(_faces(text, style) for text in node.faces),
         )
@@ -266,47 +302,10 @@ def _end(end: PlateEnd, style: SheetStyle) -> tuple[str, ...]:
 
 def _faces(names: str, style: SheetStyle) -> str:
     """The names of faces joined by `and`, in the style's language."""
-    return " + ".join(_on(name, style) for name in names.split(" and "))
+    return " + ".join(on_face(name, style) for name in names.split(" and "))
 
 
 def _range(angles: np.ndarray) -> str:
     """Two angles, rad, as a range in degrees."""
     low, high = (fixed(math.degrees(value), 1) for value in sorted(angles.tolist()))
     return low if low == high else f"{low} … {high}"
-
-
-def _of_node(through: MemberRecord, joinings: Sequence[Joining]) -> list[Weld]:
-    """The welds of plates that end at the node, the field joints of its stubs, and those of the
-    diaphragms inside."""
-    found = []
-    for own in joinings:
-        marks = {end.plate.mark for end in own.ends}
-        for weld in own.record.welds:
-            at_node = weld.kind == "node" and weld.name == own.node.node
-            at_stub = weld.kind == "joint" and own.node.type == "stub"
-            if at_node or (at_stub and not marks.isdisjoint(weld.plates)):
-                found.append(weld)
-    marks = {plate.mark for plate in inside(through, joinings)}
-    found += [w for w in through.welds if w.kind == "diaphragm" and w.plates[0] in marks]
-    return found
-
-
-def _weld(weld: Weld, letter: str, style: SheetStyle) -> tuple[str, ...]:
-    prep = weld.prep
-    return (
-        weld.mark,
-        " / ".join(_on(text, style) for text in weld.plates),
-        "/".join(dict.fromkeys(f"{t:g}" for t in weld.thickness)),
-        style.length(weld.length),
-        fixed(math.degrees(weld.dihedral), 1),
-        letter,
-        f"{math.degrees(prep.angle):g}" if prep.is_cut else "–",
-        style.length(prep.gap) if prep.gap else "–",
-        style.say(weld.place),
-    )
-
-
-def _on(text: str, style: SheetStyle) -> str:
-    """A plate by its mark, a face of another member in the style's language."""
-    member, _, face = text.rpartition(" ")
-    return f"{member} {style.say(face)}" if member else style.say(text)

@@ -15,11 +15,11 @@ import numpy as np
 
 from ..geometry import arc_contour
 from ..lofting import DevelopedPlate, MemberRecord
-from ..nodes.node_ends import PlateEnd, axis_at, corner_lines, middle_at, ring
-from ..nodes.node_record import NodeRecord
+from ..nodes.node_ends import axis_at, corner_lines, middle_at, ring
 from .sheet import Polyline, Text, View, text_box
 from .sheet_labels import LABEL_HEIGHT, Labels, as_points, label_along, label_beyond
-from .sheet_overview import SCALES
+from .sheet_node_joining import Joining, node_frame
+from .sheet_node_weld import Pointed, point_at, pointed
 from .sheet_pack import GAP, Block
 from .sheet_style import SheetStyle, fixed
 
@@ -28,21 +28,13 @@ LABEL_ROOM = 15.0
 """mm about a view that its labels are given when its scale is chosen."""
 FACING = 0.5
 """Cosine of a plate's normal to the line of sight beyond which it is not seen edge-on."""
-SHARE = 0.6
-"""Of a page's height that a row of views takes at most."""
-
-
-GRID = 15
+SYMBOL_SIZE = (30.0, 20.0)
+"""mm that symbols add to the width of the first view, on either side, and to the height of the
+others."""
+HEAD_ROOM = 20.0
+"""mm of a view's height for its title and labels."""
+GRID = 9
 """Places tried for a mark on a plate, each way."""
-
-
-@dataclass(frozen=True, eq=False)
-class Joining:
-    """A branch at a node as drawn: its record of the node, its member, its ends there."""
-
-    node: NodeRecord
-    record: MemberRecord
-    ends: tuple[PlateEnd, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,13 +62,43 @@ class _Sight:
     axes: np.ndarray
 
 
-def node_views(
-    through: MemberRecord, joinings: Sequence[Joining], style: SheetStyle
-) -> tuple[int, list[Block], list[str]]:
-    """Scale and blocks of the three views, and the marks that found no room in any of them."""
+@dataclass(frozen=True, eq=False)
+class NodeViews:
+    """What the three views of a node show, before they have a scale. sizes: of each, mm."""
+
+    through: MemberRecord
+    joinings: tuple[Joining, ...]
+    style: SheetStyle
+    place: np.ndarray
+    drawn: tuple[_Drawn, ...]
+    axes: dict[str, np.ndarray]
+    sights: tuple[_Sight, ...]
+    welds: tuple[Pointed, ...]
+    sizes: tuple[np.ndarray, ...]
+
+    def room(self, scale: int) -> list[tuple[float, float]]:
+        """About the width and height of each view with its labels and symbols, mm on paper."""
+        count = [sum(one.view == number for one in self.welds) for number in range(3)]
+        return [
+            (
+                size[0] / scale + 2 * LABEL_ROOM + (SYMBOL_SIZE[0] * min(own, 2) if high else 0.0),
+                size[1] / scale + HEAD_ROOM + (0.0 if high else SYMBOL_SIZE[1] * min(own, 1)),
+            )
+            for size, own, high in zip(self.sizes, count, (True, False, False), strict=True)
+        ]
+
+    def blocks(self, scale: int) -> tuple[list[Block], list[str]]:
+        """The views, and the marks that found no room in any of them."""
+        named: set[str] = set()
+        views = [_view(number, self, scale, named) for number in range(len(self.sights))]
+        return views, [one.plate.mark for one in self.drawn if one.plate.mark not in named]
+
+
+def node_views(through: MemberRecord, joinings: Sequence[Joining], style: SheetStyle) -> NodeViews:
+    """The views along the surface normal, the member that runs through and the first branch."""
     node = joinings[0].node
     place = np.array([node.x, node.y, node.z])
-    frame = _frame(through, place)
+    frame = node_frame(through, place)
     drawn, axes = _region(through, joinings, place)
     _, along = axis_at(joinings[0].record, place)
     along = along - frame[2] * (along * frame[2]).sum()
@@ -91,31 +113,11 @@ def node_views(
         ),
     ]
     points = np.concatenate([run for one in drawn for run in one.runs]) - place
-    scale = _scale([np.ptp(points @ sight.axes[:2].T, axis=0) for sight in sights], style)
-    named: set[str] = set()
-    blocks = [
-        _view(number, sight, scale, place, drawn, axes, joinings, named, style)
-        for number, sight in enumerate(sights)
-    ]
-    return scale, blocks, [one.plate.mark for one in drawn if one.plate.mark not in named]
-
-
-def _frame(through: MemberRecord, place: np.ndarray) -> np.ndarray:
-    """(3, 3) rows at the node: along the member that runs through, its y, and up off its top."""
-    _, x = axis_at(through, place)
-    axis = through.wireframe["axis"]
-    k = 2 * int(np.argmin(((axis - place) ** 2).sum(axis=1)))
-    lines = corner_lines(through)
-    top = [line[k] for name, line in lines.items() if name.startswith("T")]
-    bottom = [line[k] for name, line in lines.items() if name.startswith("B")]
-    up = np.array([0.0, 0.0, 1.0])
-    if top and bottom:
-        up = np.mean(top, axis=0) - np.mean(bottom, axis=0)
-    up = up - x * (up * x).sum()
-    if np.linalg.norm(up) < 1e-6:
-        up = np.array([0.0, 1.0, 0.0]) - x * x[1]
-    up = up / np.linalg.norm(up)
-    return np.array([x, np.cross(up, x), up])
+    sizes = tuple(np.ptp(points @ sight.axes[:2].T, axis=0) for sight in sights)
+    welds = tuple(pointed(through, joinings, frame))
+    return NodeViews(
+        through, tuple(joinings), style, place, tuple(drawn), axes, tuple(sights), welds, sizes
+    )
 
 
 def _half(record: MemberRecord, point: np.ndarray) -> float:
@@ -218,19 +220,10 @@ def clipped(
     return runs, breaks
 
 
-def _scale(sizes: Sequence[np.ndarray], style: SheetStyle) -> int:
-    form = style.page
-    width, height = form.right - form.left, SHARE * (form.top - form.clear_bottom)
-    for scale in SCALES:
-        across = [size[0] / scale + 2 * LABEL_ROOM for size in sizes]
-        wide = max(across) if form.is_small else sum(across) + 2 * GAP
-        if wide <= width and max(size[1] for size in sizes) / scale + 20.0 <= height:
-            return scale
-    return SCALES[-1]
-
-
-def _view(number: int, sight, scale, place, drawn, axes, joinings, named, style) -> Block:
-    """The view as a block, with the labels that find room."""
+def _view(number: int, views: NodeViews, scale: int, named: set[str]) -> Block:
+    """The view as a block, with the labels that find room; the marks shown go to `named`."""
+    sight, place, drawn, style = views.sights[number], views.place, views.drawn, views.style
+    axes, joinings = views.axes, views.joinings
     plane = sight.axes[:2].T
     lines = []
     for one in drawn:
@@ -282,13 +275,21 @@ def _view(number: int, sight, scale, place, drawn, axes, joinings, named, style)
             named.add(mark)
     view = View(sight.title, float(scale), (0.0, 0.0), tuple(lines))
     points = [np.array(line.points) for line in view.on_page()]
+    everything = np.concatenate(points)
+    bounds = np.array([everything.min(axis=0), everything.max(axis=0)])
+    symbols: list[Polyline] = []
+    for one in views.welds:
+        if one.view == number:
+            tip = (one.place - place) @ paper
+            symbols += point_at(labels, one, tip, bounds, style)
+    points += [np.array(line.points) for line in symbols]
     points += [text_box(text) for text in labels.texts]
     points = np.concatenate(points)
     low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()
     title = Text(low[0], high[1] + 3.0, HEADING, f"{sight.title}  1:{scale}")
     right = max(high[0], float(text_box(title)[:, 0].max()))
     box = (low[0] - 1.0, low[1] - 1.0, right + 1.0, high[1] + 3.0 + HEADING + 1.0)
-    return Block("", (view,), tuple(labels.leaders), (*labels.texts, title), box)
+    return Block("", (view,), (*labels.leaders, *symbols), (*labels.texts, title), box)
 
 
 def _turn(number: int, one: _Drawn) -> tuple:

@@ -21,11 +21,17 @@ SCALES = (
 DRAWN_TOLERANCE = 0.04  # mm on paper; hidden-line removal takes time with the square of the edges
 MARK_HEIGHT = 2.0
 ROW = 4.2  # mm between rows of marks
+KNEE, LEADER_ROOM = 0.9, 0.8
+"""mm from a view to where leaders of outer rows turn to it, and from a leader to a mark."""
 HEADING = 7.0
 PLAN_FACES = ("top", "bottom")
 PLACE_HEIGHT, PLACE_SPACING = 1.8, 2.9
 ARROW_ROOM = 26.0
-"""mm left and right of a view, for the orientation at the start."""
+"""mm left of a view, for the orientation at the start."""
+END_ROOM = 4.0
+"""mm right of a view."""
+DIMENSION_ROOM = 6.0
+"""mm above a view with its overall length."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +87,7 @@ def overview(
         f"{plate.mark} {label}": (ends - origin) @ frame.T
         for plate in record.plates
         for label in ("E-1", "E-2")
-        if len(ends := _line_ends(plate, label)) == 2
+        if len(ends := line_ends(plate, label)) == 2
     }
     middles = {
         plate.mark: (np.mean([p.xyz for p in plate.points], axis=0) - origin) @ frame.T
@@ -96,6 +102,7 @@ def overview(
         ("Elevation", (0, 2), [m for m in middles if faces[m] not in PLAN_FACES]),
         ("Plan", (0, 1), [m for m in middles if faces[m] in PLAN_FACES]),
     )
+    ends = _ends(record, lines, frame)
     parts = []
     for heading, plane, marks in views if style.first_angle else views[::-1]:
         axes = list(plane)
@@ -115,12 +122,13 @@ def overview(
                 _start(lines, axes),
                 name,
                 style,
+                ends if heading == "Elevation" else None,
             )
         )
     left, bottom, right, top = area
-    length = np.ptp(np.concatenate(list(lines.values()))[:, 0])
+    length = float(np.ptp(ends))
     for scale in SCALES:
-        if length / scale > right - left - 2 * ARROW_ROOM:
+        if length / scale > right - left - ARROW_ROOM - END_ROOM:
             continue
         result, spare = _drawn(parts, scale, 0.0, area)
         if spare >= 0.0:
@@ -131,7 +139,7 @@ def overview(
 @dataclass(frozen=True)
 class _Part:
     """What one view shows, in its plane's model mm. start: where the axis begins, its direction
-    and the way up there."""
+    and the way up there; ends: of all along the chord, where the overall length is shown."""
 
     name: str
     lines: dict[str, np.ndarray]
@@ -142,6 +150,7 @@ class _Part:
     start: tuple[np.ndarray, np.ndarray, np.ndarray]
     member: str
     style: SheetStyle
+    ends: tuple[float, float] | None = None
 
 
 def _drawn(parts, scale: int, gap: float, area) -> tuple[Overview, float]:
@@ -174,7 +183,7 @@ def _places(record: MemberRecord, style: SheetStyle) -> list[tuple[str, np.ndarr
     found: dict[tuple[bool, int], tuple[list[str], float, np.ndarray, str]] = {}
     for plate in record.plates:
         for label, s in (("E-1", plate.s_start), ("E-2", plate.s_end)):
-            ends = _line_ends(plate, label)
+            ends = line_ends(plate, label)
             if len(ends) != 2:
                 continue
             key = (plate.face in PLAN_FACES, int(round(10.0 * s)))
@@ -216,12 +225,14 @@ def _view(part: _Part, scale: int, left: float, right: float, top: float):
     points = np.concatenate([*lines.values(), *centre])
     low, high = points.min(axis=0), points.max(axis=0)
     x0 = (left + right) / 2.0 - (low[0] + high[0]) / 2.0 / scale
+    x0 = max(x0, left + ARROW_ROOM - low[0] / scale)
     first = [m for m in marks if faces[m] in ("top", "left")]
     upper = _rows(first, marks, scale, x0, left, right)
     lower = _rows([m for m in marks if m not in first], marks, scale, x0, left, right)
     count = [1 + max((row for _, row in rows.values()), default=-1) for rows in (upper, lower)]
     head = Text(left, top - HEADING + 2.5, 3.5, f"{part.name}  1:{scale}")
     edge = top - HEADING - count[0] * ROW - (2.0 if count[0] else 0.0)
+    edge -= DIMENSION_ROOM if part.ends else 0.0
     y0 = edge - high[1] / scale
     foot = y0 + low[1] / scale
     polylines = tuple(
@@ -235,16 +246,57 @@ def _view(part: _Part, scale: int, left: float, right: float, top: float):
             texts.append(Text(x, start, MARK_HEIGHT, mark, anchor="middle"))
             end = np.array([x0, y0]) + marks[mark] / scale
             near = start - 0.9 if side > 0 else start + MARK_HEIGHT + 0.5
-            leaders.append(Polyline(((x, near), (float(end[0]), float(end[1])))))
+            # Straight past the marks of inner rows.
+            knee = ((x, edge + KNEE if side > 0 else foot - KNEE),) if row else ()
+            leaders.append(Polyline(((x, near), *knee, (float(end[0]), float(end[1])))))
             leaders.append(_dot(end))
     bottom = foot - count[1] * ROW - (2.0 if count[1] else 0.0) - 1.0
     page = np.array([x0, y0])
     bottom = _draw_places(part.places, page, scale, (left, right), bottom, texts, leaders)
     _draw_start(part, page, scale, edge, texts, leaders)
+    if part.ends:
+        line = top - HEADING - DIMENSION_ROOM + 2.0
+        leaders += _overall(part, page, scale, line, texts)
     if part.centre is not None:
         leaders += centre_mark(*(page + part.centre / scale).tolist())
     view = View(part.name, float(scale), (float(x0), float(y0)), polylines)
     return view, leaders, texts, bottom - 3.0
+
+
+def _ends(record: MemberRecord, lines, frame: np.ndarray) -> tuple[float, float]:
+    """Where everything begins and ends along the chord; flat parts with their thickness."""
+    reach = []
+    for name, line in lines.items():
+        plate = next((p for p in record.plates if p.mark == name and not p.lines), None)
+        half = 0.0
+        if plate is not None:
+            # Of the ring in the middle of its thickness, half of that along its normal.
+            arms = line - line.mean(axis=0)
+            normal = np.cross(arms[:-1], arms[1:]).sum(axis=0)
+            half = 0.5 * plate.thickness * abs(float(normal[0])) / float(np.sqrt(normal @ normal))
+        reach += [float(line[:, 0].min()) - half, float(line[:, 0].max()) + half]
+    return min(reach), max(reach)
+
+
+def _overall(part: _Part, page, scale: int, y: float, texts) -> list[Polyline]:
+    """The overall length over the ends at height y, its extension lines broken where texts are in
+    the way; adds its figure to the texts."""
+    boxes = [text_box(text) for text in texts]
+    points = np.concatenate(list(part.lines.values()))
+    x = [float(page[0] + end / scale) for end in part.ends]
+    lines = [Polyline(((x[0] - 1.5, y), (x[1] + 1.5, y)))]
+    for at, end in zip(x, part.ends, strict=True):
+        nearest = points[np.argmin(np.abs(points[:, 0] - end))]
+        low = float(page[1] + nearest[1] / scale) + 1.0
+        strip = np.array([(at - 0.2, low), (at + 0.2, low), (at + 0.2, y), (at - 0.2, y)])
+        if any(boxes_overlap(strip, box, 0.2) for box in boxes):
+            low = y - 1.5
+        lines.append(Polyline(((at, y + 1.5), (at, low))))
+        lines.append(Polyline(((at - 1.0, y - 1.0), (at + 1.0, y + 1.0)), "medium"))
+    length = part.style.length(part.ends[1] - part.ends[0])
+    figure = part.style.say("{} over the ends", length)
+    texts.append(Text(0.5 * (x[0] + x[1]), y + 0.9, MARK_HEIGHT, figure, anchor="middle"))
+    return lines
 
 
 def _draw_places(places, page, scale, sides, y: float, texts, leaders) -> float:
@@ -305,8 +357,9 @@ def _draw_start(part: _Part, page, scale, edge: float, texts, leaders) -> None:
 def _rows(names, marks, scale, x0, left, right) -> dict[str, tuple[float, int]]:
     """Where each mark stands: x of its middle and its row; row 0 is nearest to the view.
 
-    Outer rows take what does not fit; leaders of outer rows must not run through inner marks, so
-    a mark keeps its distance from the leaders that pass it.
+    Outer rows take what does not fit. Their leaders run straight past the inner rows, beside the
+    marks there, so that such a mark stands as far right as that takes, and later ones of inner rows
+    keep their distance from its leader.
     """
     ends: list[float] = []
     placed: dict[str, tuple[float, int]] = {}
@@ -316,12 +369,14 @@ def _rows(names, marks, scale, x0, left, right) -> dict[str, tuple[float, int]]:
         row = next((k for k, end in enumerate(ends) if x - half >= end), len(ends))
         if row == len(ends):
             ends.append(0.0)
+        x = min(max([x, *ends[:row]]), right - half)
+        ends[:row] = [max(end, x + LEADER_ROOM) for end in ends[:row]]
         ends[row] = x + half
         placed[mark] = (x, row)
     return placed
 
 
-def _line_ends(plate: DevelopedPlate, label: str) -> np.ndarray:
+def line_ends(plate: DevelopedPlate, label: str) -> np.ndarray:
     """The arris points (n, 3) of one line of a plate."""
     return np.array(
         [point.xyz for point in plate.points if point.line == label and point.kind == "arris"]

@@ -20,7 +20,8 @@ MEMBER_LABELS = ("member", "sections", "plates on this sheet", "member mass (net
 
 @dataclass(frozen=True)
 class Page:
-    """A page before it has its number and title block."""
+    """A page before it has its number and title block. lists_plates: whether it has rows of the
+    list of a member's plates."""
 
     heading: str
     marks: tuple[str, ...] = ()
@@ -29,6 +30,7 @@ class Page:
     lines: tuple[Polyline, ...] = ()
     texts: tuple[Text, ...] = ()
     tables: tuple[Table, ...] = ()
+    lists_plates: bool = False
 
 
 @dataclass(frozen=True)

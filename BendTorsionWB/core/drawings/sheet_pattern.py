@@ -17,6 +17,7 @@ from .sheet import Polyline, Text, View, text_box, text_width, wrapped
 from .sheet_inner import hole_middle, label_inner
 from .sheet_labels import LABEL_HEIGHT, Labels, as_points, label_along, label_beyond
 from .sheet_pack import Block
+from .sheet_references import reference
 from .sheet_style import PLAIN_STYLE, SheetStyle, fixed
 
 FORMING_RULES = {
@@ -28,6 +29,7 @@ FORMING_RULES = {
     "fold_without_press": "fold angle",
 }
 """What the rules that decide how a plate is formed look at."""
+BARE = "points, stations and roll lines are named in the details on sheet {}"
 CAPTION_HEIGHT = 2.5
 MARK_HEIGHT = 3.5
 CAPTION_ROOM = 120.0
@@ -137,7 +139,7 @@ def pattern_block(
             or label_beyond(labels, text, ends[1] / scale, ends[0] / scale)
         )
     left_out += 0 if bare else _label_points(plate, labels, corner, scale)
-    left_out += label_inner(plate, labels, corner, scale, say("at"))
+    left_out += label_inner(plate, labels, corner, scale, style)
     left_out += _label_bevels(plate, labels, stations, scale, middle, style)
     # End lines first, with how they are cut.
     order = sorted(range(len(stations)), key=lambda k: not plate.lines[k].label.startswith("E-"))
@@ -165,14 +167,14 @@ def pattern_block(
     reach = np.concatenate([rulings.reshape(-1, 2), np.zeros((1, 2)), size[None]]) / scale
     bounds = np.array([*labels.bounds, (*reach.min(axis=0), *reach.max(axis=0))])
     low, high = bounds[:, :2].min(axis=0), bounds[:, 2:].max(axis=0)
-    dimensions, figures = _dimensions(size, scale, low[1] - 5.5, high[0] + 5.5, style)
+    sizes, figures = dimensions(size, scale, low[1] - 5.5, high[0] + 5.5, style)
     left, room = min(low[0], 0.0), max(size[0] / scale, CAPTION_ROOM)
     if part:
-        dimensions, figures = [], []
+        sizes, figures = [], []
         caption = _detail_caption(plate, part, scale, left_out, left, high[1] + 3.0, style)
     else:
-        words = say("points, stations and roll lines are named in the details") if bare else ""
-        words = words or _left_out(left_out, style)
+        words = say(BARE, reference(plate.mark)) if bare else ""
+        words = words or _left_out(plate.mark, left_out, style)
         caption = _caption(plate, words, left, high[1] + 3.0, room, style)
     texts = (*labels.texts, *figures, *caption)
     boxes = np.array([[*text_box(text).min(axis=0), *text_box(text).max(axis=0)] for text in texts])
@@ -184,7 +186,7 @@ def pattern_block(
     )
     name = f"{plate.mark} {part}" if part else plate.mark
     view = View(name, float(scale), (0.0, 0.0), polylines)
-    return Block(plate.mark, (view,), (*lines, *dimensions), texts, box, left_out=left_out)
+    return Block(plate.mark, (view,), (*lines, *sizes), texts, box, left_out=left_out)
 
 
 def _line_text(plate: DevelopedPlate, label: str, style: SheetStyle) -> str:
@@ -223,15 +225,32 @@ def _label_bevels(
 
 
 def bevel_text(bevel: EdgeBevel, style: SheetStyle) -> str:
-    """The grooves of an edge by their angle against square, or its tilt where none is cut."""
+    """The grooves of an edge by their angle against square, or its tilt where none is cut, and its
+    chamfer."""
+    chamfer = [chamfer_text(bevel, side, style) for side in ("outer", "inner")]
+    chamfer = [
+        f"{text} {style.say(side)}"
+        for text, side in zip(chamfer, ("outside", "inside"), strict=True)
+        if text
+    ]
     angles = [
         f"{fixed(np.degrees(angle), 1).removesuffix('.0')}° {style.say(side)}"
         for (angle, depth), side in ((bevel.outer, "outside"), (bevel.inner, "inside"))
         if depth
     ]
-    if not angles:
+    if not angles and (bevel.natural or not chamfer):
         angles = [f"{fixed(np.degrees(bevel.natural), 1)}°"]
-    return f"{style.say('bevel')} {' / '.join(angles)}"
+    bevels = [f"{style.say('bevel')} {' / '.join(angles)}"] if angles else []
+    return ", ".join(bevels + chamfer)
+
+
+def chamfer_text(bevel: EdgeBevel, side: str, style: SheetStyle) -> str:
+    """The chamfer of an edge on its `outer` or `inner` face: slope and depth; empty without."""
+    chamfer = bevel.chamfer
+    if chamfer is None or chamfer.faces not in (side, "both"):
+        return ""
+    slope = fixed(chamfer.slope, 1).removesuffix(".0")
+    return f"{style.say('chamfer')} 1:{slope} × {style.fine(chamfer.depth)}"
 
 
 def _label_points(plate: DevelopedPlate, labels: Labels, corner, scale: float) -> int:
@@ -265,7 +284,7 @@ def _cross(center: np.ndarray, arm: float) -> list[Polyline]:
     ]
 
 
-def _dimensions(
+def dimensions(
     size, scale: float, y: float, x: float, style: SheetStyle
 ) -> tuple[list[Polyline], list[Text]]:
     """Overall length below the pattern at height y, overall width right of it at x."""
@@ -335,13 +354,15 @@ def _detail_caption(
         Text(x, y + 1.0, MARK_HEIGHT, plate.mark),
         Text(start, y + 1.0, CAPTION_HEIGHT, f"{part}  1:{scale:g}"),
     ]
-    words = _left_out(left_out, style)
+    words = _left_out(plate.mark, left_out, style)
     beyond = start + text_width(texts[1].text, CAPTION_HEIGHT) + 5.0
     return [*texts, Text(beyond, y + 1.0, LABEL_HEIGHT, words)] if words else texts
 
 
-def _left_out(count: int, style: SheetStyle) -> str:
-    return style.say("labels left out: {}, see details and tables", count) if count else ""
+def _left_out(mark: str, count: int, style: SheetStyle) -> str:
+    """How many labels found no room, and where what they tell is found."""
+    words = "labels left out: {}, see sheet {}"
+    return style.say(words, count, reference(mark)) if count else ""
 
 
 def forming_note(data: FormingRecord, style: SheetStyle) -> str:

@@ -16,7 +16,7 @@ from .sheet_detail import detail_blocks
 from .sheet_overview import SCALES
 from .sheet_pack import GAP, Block, packed, shelf_height
 from .sheet_page import TEXT, Page
-from .sheet_pattern import CAPTION_ROOM, CAPTION_ROW, pattern_block
+from .sheet_pattern import CAPTION_ROOM, CAPTION_ROW, chamfer_text, pattern_block
 from .sheet_style import SheetStyle, fixed
 from .sheet_tables import ROW_HEIGHT, TITLE_ROOM, Listing, table_blocks
 
@@ -27,6 +27,8 @@ MORE_PAGES = 1.25
 LABEL_ROOM = (28.0, 18.0)
 """mm; what labels and dimensions add to a pattern's width and height, about."""
 LEAST_ROWS = 8
+UNDIVIDED = 1.15
+"""Times the height of a pattern that its tables may take beside it for being divided less."""
 MANY_LEFT_OUT = 8
 """Labels without room beyond which a plate that has details names its points there alone."""
 PATTERN_NOTE = (
@@ -43,8 +45,9 @@ POINT_NOTE = (
     "outer face's corner line; W: on the marking face, inside the edge. Panels: flat: before "
     "forming; formed: after forming, along the surface; chord: after forming, straight between "
     "the points P. Edges: grooves by angle against square and depth, +: face cut back; tilt: of "
-    "the edge without grooves against square, +: outer face wider; from, to: s, of E lines from "
-    "the first edge."
+    "the edge without grooves against square, +: outer face wider; a row for each stretch of one "
+    "bevel: s, u: where it begins and ends on the axis and on the pattern, of E lines along the "
+    "line from the first edge."
 )
 SURFACES = {"mid": "mid-surface", "outer": "outer face", "inner": "inner face"}
 CONTOURS = {
@@ -173,7 +176,7 @@ def _most_rows(size, listings: Sequence[Listing], area) -> tuple[int, float]:
     counts = [(sum(listing.widths), len(listing.rows), listing) for listing in listings]
     longest = max((rows for _, rows, _ in counts), default=1)
     most = min(longest, int((height - TITLE_ROOM) // ROW_HEIGHT) - 1)
-    best = (math.inf, most, math.inf)
+    found = []
     for cap in np.unique(np.geomspace(min(LEAST_ROWS, most), most, 16).astype(int)).tolist():
         sizes = [
             (wide, TITLE_ROOM + ROW_HEIGHT * (min(listing.most(cap), rows - start) + 1))
@@ -183,9 +186,11 @@ def _most_rows(size, listings: Sequence[Listing], area) -> tuple[int, float]:
         high = shelf_height([size, *sizes], width)
         # A plate of several pages fills them from the first on.
         count = 1 if high <= height else _page_count([size, *sizes], area)
-        if (count, high) < (best[0], best[2] - 1.0):
-            best = (count, cap, high)
-    return best[1:]
+        found.append((count, high, cap))
+    count, least, _ = min(found)
+    # Whole tables rather than parts of them, where they are hardly higher.
+    enough = max(least + 1.0, UNDIVIDED * size[1])
+    return max((cap, high) for own, high, cap in found if own == count and high <= enough)
 
 
 def _page_count(sizes: Sequence[tuple[float, float]], area) -> int:
@@ -257,23 +262,24 @@ def _edges(plate: DevelopedPlate, record: MemberRecord, style: SheetStyle) -> Li
         bevels = [bevel for bevel in plate.bevels if bevel.edge == name]
         for bevel in bevels:
             own = [welds[mark] for mark in bevel.weld.split() if mark in welds]
-            rows.append(_edge_row(name, edge, own, bevel, style))
+            rows.append(_edge_row(plate, name, edge, own, bevel, style))
         if not bevels:
             own = [
                 weld
                 for weld in record.welds
                 if plate.mark in weld.plates and _edge_of(plate, weld, faces) == name
             ]
-            rows.append(_edge_row(name, edge, own, None, style))
+            rows.append(_edge_row(plate, name, edge, own, None, style))
     header = style.said(
-        ("edge", "meets", "from", "to", "weld", "gap", "outside", "inside", "tilt, °",
-         "dihedral, °")
+        ("edge", "meets", "s from", "s to", "u from", "u to", "weld", "gap", "outside", "inside",
+         "tilt, °", "dihedral, °")
     )  # fmt: skip
     title = say("{}: edges, {}", plate.mark, style.measured_in)
-    return Listing(title, header, tuple(rows), "<<>><><<>>")
+    return Listing(title, header, tuple(rows), "<<>>>><><<>>")
 
 
 def _edge_row(
+    plate: DevelopedPlate,
     name: str,
     edge: PlateEdge | None,
     welds: Sequence[Weld],
@@ -282,15 +288,21 @@ def _edge_row(
 ) -> tuple[str, ...]:
     say = style.say
     names = [weld.mark.removeprefix(f"{weld.member}-") for weld in welds]
-    gaps = dict.fromkeys(style.length(weld.prep.gap) for weld in welds)
-    place = ("", "")
+    gaps = dict.fromkeys(style.fine(weld.prep.gap) for weld in welds)
+    ends = None
     if bevel is not None:
-        place = (style.measure(bevel.start), style.measure(bevel.end))
+        ends = (bevel.start, bevel.end)
     elif edge is not None:
-        place = (style.measure(float(edge.s[0])), style.measure(float(edge.s[-1])))
+        ends = (float(edge.s[0]), float(edge.s[-1]))
+    place = [style.measure(at) for at in ends] if ends else ["", ""]
+    place += [style.measure(_across(plate, name, at)) for at in ends] if edge else ["", ""]
     grooves = (say("square"), say("square"))
     if bevel is not None:
-        grooves = tuple(_groove_text(*one, style) for one in (bevel.outer, bevel.inner))
+        grooves = tuple(
+            " + ".join(filter(None, (_groove_text(*one, style), chamfer_text(bevel, side, style))))
+            or "–"
+            for one, side in ((bevel.outer, "outer"), (bevel.inner, "inner"))
+        )
     tilt = fixed(math.degrees(bevel.natural), 1) if bevel is not None else "0.0"
     return (
         say(name),
@@ -300,20 +312,26 @@ def _edge_row(
         " / ".join(gaps) or "–",
         *grooves,
         tilt,
-        _range(edge, "dihedral"),
+        _dihedral(edge, ends),
     )
 
 
+def _across(plate: DevelopedPlate, edge: str, s: float) -> float:
+    """The u on the pattern of a place on a long edge, by its arc length on the axis, mm."""
+    own = [(p.s, p.flat[0]) for p in plate.points if p.kind == "arris" and p.edge == edge]
+    return float(np.interp(s, *np.array(own).T)) if own else s
+
+
 def _groove_text(angle: float, depth: float, style: SheetStyle) -> str:
-    """A groove of an edge: its angle against square and its depth; a dash where none is cut."""
-    return f"{fixed(math.degrees(angle), 1)}° × {style.length(depth)}" if depth else "–"
+    """A groove of an edge: its angle against square and its depth; empty where none is cut."""
+    return f"{fixed(math.degrees(angle), 1)}° × {style.fine(depth)}" if depth else ""
 
 
 def _edge_of(plate: DevelopedPlate, weld: Weld, faces: dict[str, str]) -> str:
     """The edge of a plate a weld runs along: `E-1`, `E-2` or the name of a long one."""
-    if weld.kind not in ("seam", "lane", "joint"):
+    if weld.kind == "diaphragm":
         return ""
-    if weld.kind == "joint":
+    if weld.kind in ("joint", "end", "node"):
         nearer_start = abs(weld.start - plate.s_start) <= abs(weld.start - plate.s_end)
         return "E-1" if nearer_start else "E-2"
     face = faces.get(weld.plates[1 - weld.plates.index(plate.mark)], "")
@@ -321,9 +339,12 @@ def _edge_of(plate: DevelopedPlate, weld: Weld, faces: dict[str, str]) -> str:
     return (named or [edge.edge for edge in plate.edges if edge.neighbour == face] or [""])[0]
 
 
-def _range(edge: PlateEdge | None, name: str) -> str:
-    """Least and greatest angle along an edge, degrees."""
-    values = np.degrees(getattr(edge, name)) if edge else np.array([])
+def _dihedral(edge: PlateEdge | None, ends: tuple[float, float] | None) -> str:
+    """Least and greatest dihedral along a stretch of an edge, degrees."""
+    if edge is None or ends is None:
+        return ""
+    places = [*ends, *(float(s) for s in edge.s if ends[0] < s < ends[1])]
+    values = np.degrees(np.interp(places, edge.s, edge.dihedral))
     values = values[np.isfinite(values)]
     if not len(values):
         return ""

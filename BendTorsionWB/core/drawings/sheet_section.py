@@ -12,6 +12,7 @@ from .sheet_labels import Labels, as_points, label_beyond
 from .sheet_overview import SCALES
 from .sheet_pack import Block, packed
 from .sheet_page import Page
+from .sheet_references import PLATE_LIST, reference
 from .sheet_style import SheetStyle
 from .sheet_weld import weld_groups
 
@@ -136,7 +137,7 @@ def section_block(section: ControlSection, scale: int, style: SheetStyle) -> Blo
                 float(low[0]),
                 float(low[1]) - 3.0,
                 FIGURES,
-                style.say("labels left out: {}, see the tables", left_out),
+                style.say("labels left out: {}, see sheet {}", left_out, reference(PLATE_LIST)),
             )
         )
     boxes = np.concatenate([text_box(text) for text in texts])

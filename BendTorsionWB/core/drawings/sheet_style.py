@@ -3,15 +3,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
-from ..site import SiteDatum
+from ..site import AT_ORIGIN, SiteDatum
 from .sheet_terms import CHINESE
 
 STANDARDS = ("ISO", "AWS")
 """ISO: first angle, weld symbols of ISO 2553 and GB/T 324; AWS: third angle, those of AWS A2.4."""
 LANGUAGES = ("en", "zh")
 LENGTH_UNITS = ("mm", "ft-in")
+_FIGURE = re.compile(r"\d+(?:\.\d+)?")
 TITLE_WIDTH, TITLE_ROW, TITLE_ROWS = 180.0, 8.4, 5
 INCH = 25.4
 
@@ -101,6 +104,11 @@ class SheetStyle:
         return FORMATS[self.format]
 
     @property
+    def is_sited(self) -> bool:
+        """True when the site's coordinates are not the model's own."""
+        return replace(self.site, unit=AT_ORIGIN.unit) != AT_ORIGIN
+
+    @property
     def first_angle(self) -> bool:
         """True when views from above lie below those from the front."""
         return self.standard == "ISO"
@@ -125,6 +133,19 @@ class SheetStyle:
         fine: sixteenths would be coarser than what a table is there for."""
         return fixed(value / INCH, digits + 2) if self.unit == "ft-in" else fixed(value, digits)
 
+    def fine(self, value: float) -> str:
+        """A small size, mm, such as of a weld or a groove, with its first decimal; or in decimal
+        inches at least as fine, as sixteenths may differ from it by a millimetre."""
+        return f'{self.measure(value)}"' if self.unit == "ft-in" else fixed(value, 1)
+
+    def shape(self, title: str) -> str:
+        """The shape of an opening, such as `slot 120x40`, or sizes such as `30x6`, as sheets write
+        them: with decimal inches for its millimetres."""
+        is_slot, sizes = title.startswith("slot "), title.removeprefix("slot ")
+        if self.unit == "ft-in":
+            sizes = _FIGURE.sub(lambda figure: self.fine(float(figure[0])), sizes)
+        return self.say("slot {}", sizes) if is_slot else sizes
+
     @property
     def measured_in(self) -> str:
         """The unit of measures in tables."""
@@ -140,6 +161,11 @@ class SheetStyle:
         if value is None:
             return "–"
         return self.length(value, digits) + ("" if self.unit == "ft-in" else " mm")
+
+    @property
+    def told_length(self) -> Callable[[float], str] | None:
+        """What writes the lengths of findings beside mm; None where sheets are in mm."""
+        return _told_inches if self.unit == "ft-in" else None
 
 
 PLAIN_STYLE = SheetStyle()
@@ -157,6 +183,11 @@ def feet_inches(value: float) -> str:
     if part:
         text = f"{text} {part}/{whole}" if feet or inches else f"{part}/{whole}"
     return ("-" if value < 0.0 and sixteenths else "") + text + '"'
+
+
+def _told_inches(value: float) -> str:
+    fine = abs(value) < INCH / 16.0
+    return f'{value / INCH:.4g}"' if fine else feet_inches(value)
 
 
 def fixed(value: float, digits: int) -> str:

@@ -71,5 +71,5 @@ def north_arrow(x: float, y: float, angle: float, label: str) -> tuple[list[Poly
     here = np.array([x, y])
     lines = arrow(here - 9.0 * up, here + 9.0 * up, "medium", 4.0)
     lines.append(circle(x, y, 5.0))
-    at = here + 11.5 * up
-    return lines, [Text(float(at[0]), float(at[1]) - 1.2, 3.5, label, anchor="middle")]
+    at = here + 12.6 * up
+    return lines, [Text(float(at[0]), float(at[1]) - 1.75, 3.5, label, anchor="middle")]

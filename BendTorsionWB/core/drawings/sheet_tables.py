@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from ..lofting import MemberRecord
@@ -18,13 +18,18 @@ ROW_HEIGHT = 3.8
 MOST_ROWS = 9
 """Rows of a table of pieces or zones; the last one says how many more there are in
 results.xlsx."""
+LEAST_COLUMN = 40
+"""Rows of a table beside which the rest of a listing begins a column of its own."""
 TITLE_HEIGHT, TITLE_ROOM = 2.5, 5.0
+LEAST_WIDTH = 10.0
+"""mm; columns are made no narrower than this."""
 
 
 @dataclass(frozen=True)
 class Listing:
     """Rows under a title and a header, before they are cut into tables. align as Table's;
-    together: so many rows from the first on stay in one table, and so on."""
+    together: so many rows from the first on stay in one table, and so on; room: mm, width of the
+    tables at most."""
 
     title: str
     header: tuple[str, ...]
@@ -36,9 +41,20 @@ class Listing:
         """Of at most `rows` rows those a table has with none torn from its group."""
         return max(rows // self.together, 1) * self.together
 
+    room: float = math.inf
+
     @cached_property
     def widths(self) -> tuple[float, ...]:
-        return widths_of(self.header, self.rows)
+        """Of the columns, mm: what their cells take; where all of them are wider than the room
+        there is, the widest are made narrower, and cells too wide for them are cut."""
+        widths = list(widths_of(self.header, self.rows))
+        while sum(widths) > self.room and max(widths) > LEAST_WIDTH:
+            widths[widths.index(max(widths))] -= 0.5
+        return tuple(widths)
+
+    def within(self, room: float) -> Listing:
+        """The listing with columns that together are no wider than `room`, mm."""
+        return replace(self, room=room)
 
 
 def table_blocks(listing: Listing, most: int, continued: str) -> list[Block]:
@@ -76,7 +92,7 @@ def piece_table(record: MemberRecord, x: float, y: float, style: SheetStyle) -> 
             style.length(own.piece.end),
             say("stepped") if own.piece.start_offsets else say("square"),
             say("stepped") if own.piece.end_offsets else say("square"),
-            style.length(own.piece.gap),
+            style.fine(own.piece.gap),
             str(len(own.marks)),
             fixed(own.mass, 1),
             ", ".join(fixed(value, 0) for value in own.centre_of_gravity),
@@ -102,7 +118,7 @@ def zone_table(record: MemberRecord, x: float, y: float, style: SheetStyle) -> T
             style.length(zone.start),
             style.length(zone.end),
             f"1:{zone.slope:.4g}" if zone.slope else style.say("step") if zone.steps else "",
-            *(style.length(step) for step in zone.steps or ()),
+            *(style.fine(step) for step in zone.steps or ()),
             *("",) * (0 if zone.steps else 4),
         )
         for zone in record.zones[:MOST_ROWS]
@@ -160,6 +176,8 @@ def listing_pages(heading: str, listing: Listing, style: SheetStyle, note: str =
     )
     bottom = foot + 3.2 * len(lines) + 2.0 if lines else form.bottom
     pages, start = [], 0
+    # A few rows are no single column beside an empty page.
+    even = max(-(-len(listing.rows) // count), LEAST_COLUMN)
     while start < len(listing.rows):
         tables = []
         for k in range(count):
@@ -168,7 +186,7 @@ def listing_pages(heading: str, listing: Listing, style: SheetStyle, note: str =
             floor = (
                 bottom if clear else max(bottom if not form.note_width else 0.0, form.clear_bottom)
             )
-            fits = int((form.top - floor) // ROW_HEIGHT) - 1
+            fits = min(int((form.top - floor) // ROW_HEIGHT) - 1, even)
             part = tuple(listing.rows[start : start + fits])
             if part:
                 tables.append(

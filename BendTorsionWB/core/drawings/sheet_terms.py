@@ -50,6 +50,8 @@ _HEADINGS = {
     "bed {}: {}": "胎架 {}：{}",
     "seats": "支点",
     "control points": "控制点",
+    "control points on the site": "控制点现场坐标",
+    "site {}, {}": "现场 {}，{}",
     "pins": "顶针",
     "in error": "有错误",
     "{}: IN ERROR, NOT DRAWN": "{}：有错误，未绘图",
@@ -148,12 +150,15 @@ _PLATES = {
     "face {}": "面 {}",
     "marking face: {}, up": "划线面：{}（朝上）",
     "rolling direction along u": "轧制方向沿 u",
-    "labels left out: {}, see the tables": "未标注 {} 个，见表",
-    "labels left out: {}, see details and tables": "未标注 {} 个，见详图与表",
-    "points, stations and roll lines are named in the details": "点、测站线与卷板线见详图",
+    "labels left out: {}, see sheet {}": "未标注 {} 个，见图 {}",
+    "points, stations and roll lines are named in the details on sheet {}": (
+        "点、测站线与卷板线见图 {} 的详图"
+    ),
     "flat patterns: details": "板件展开详图",
     "detail {} to {}": "详图 {} 至 {}",
     "at": "位于",
+    "{} over the ends": "总长 {}",
+    "slot {}": "长圆孔 {}",
     "forming: {}": "成形：{}",
     "twist {}°/m": "扭转 {}°/m",
     "locked-in stress {} MPa": "残留应力 {} MPa",
@@ -180,6 +185,10 @@ _PLATES = {
     "line": "线",
     "edge": "边",
     "meets": "相邻",
+    "s from": "s 自",
+    "s to": "s 至",
+    "u from": "u 自",
+    "u to": "u 至",
     "dihedral, °": "二面角 °",
     "{}: points, {}": "{}：点，{}",
     "{}: edges, {}": "{}：边，{}",
@@ -205,10 +214,11 @@ _WELDS = {
     "symbol": "符号",
     "depth": "深度",
     "backing": "衬垫",
-    "full": "全熔透",
     "total": "合计",
     "in all {}": "总长 {}",
     "Welds and joints (mm)": "焊缝与拼接（mm）",
+    "Kinds of welds (mm)": "焊缝种类（mm）",
+    "Kinds of welds": "焊缝种类",
     "Backing bars (not in the mass of the member)": "衬垫条（不计入构件质量）",
     "Weld map": "焊缝布置图",
     "Weld map (continued)": "焊缝布置图（续）",
@@ -216,11 +226,13 @@ _WELDS = {
         "s {} 至 {}，+s 向右；面：板件与拼接；棱缝：焊缝"
     ),
     "bevel": "单边坡口",
+    "chamfer": "削斜",
     "V": "V 形",
     "double-fillet": "双面角焊",
     "double-bevel": "K 形",
     "double-v": "X 形",
     "fillet": "角焊",
+    "slot": "槽焊",
     "outer": "外",
     "inner": "内",
     "shop": "工厂",
@@ -254,6 +266,7 @@ _BEDS = {
     "{} on its bed: plan": "{} 胎架平面",
     "{} on its bed: elevation": "{} 胎架立面",
     "Seats ({}, on the bed; heights above the floor)": "支点（{}，胎架坐标；离地高度）",
+    "Control points ({})": "控制点（{}）",
     "best plane of its edges": "边线最佳平面",
     "its plane at mid-length": "跨中平面",
     "plane by given direction": "给定方向的平面",
@@ -290,12 +303,13 @@ _NOTES = {
     "outer face's corner line; W: on the marking face, inside the edge. Panels: flat: before "
     "forming; formed: after forming, along the surface; chord: after forming, straight between "
     "the points P. Edges: grooves by angle against square and depth, +: face cut back; tilt: of "
-    "the edge without grooves against square, +: outer face wider; from, to: s, of E lines from "
-    "the first edge.": (
+    "the edge without grooves against square, +: outer face wider; a row for each stretch of one "
+    "bevel: s, u: where it begins and ends on the axis and on the pattern, of E lines along the "
+    "line from the first edge.": (
         "点：s 为轴线弧长；x, y, z 为模型坐标；u, v 为展开坐标；P 在外表面角线上；W 在划线面上、边"
         "缘内侧。分格：平面为成形前；成形为成形后沿曲面；弦长为成形后 P 点间直线。边：坡口为相对直"
-        "角的角度与深度，正为该面切去；倾斜为未开坡口边面相对直角的角度，正为外表面较宽；自、至"
-        "为 s，E 线自第一边起。"
+        "角的角度与深度，正为该面切去；倾斜为未开坡口边面相对直角的角度，正为外表面较宽；每段"
+        "同一坡口一行：s、u 为其起止处的轴线弧长与展开坐标，E 线为自第一边沿线的距离。"
     ),
     "Springback is left to the shop: radii and angles are of the finished plate.": (
         "回弹由工厂考虑：半径与角度为成品值。"
@@ -339,7 +353,11 @@ _NODES = {
     "Plates that end at the node": "止于节点的板件",
     "plate": "板件",
     "cut length": "切口长",
-    "bevel, °": "坡口角 °",
+    "angle of cut, °": "切口角 °",
+    "snipes": "切角",
+    "openings": "开孔",
+    "weld length": "焊缝长",
+    "Places of diaphragms from the node": "内隔板位置（自节点）",
     "on face": "所落面",
     "Diaphragms inside": "内隔板",
     "Welds": "焊缝",
@@ -347,16 +365,30 @@ _NODES = {
     "Along the surface normal, from outside": "沿曲面法线，自外侧看",
     "Along {}, +s away": "沿 {} 的 +s 方向看",
     "No room for the marks {}.": "无处标注：{}。",
-    "Views show plates by the edges of their outer faces; broken: diaphragms; wide: cuts at "
-    "the node. Side of node: before or behind it along the branch. Step: of the branch's face "
-    "over that of the member that runs through; held against the rule where both plates are "
-    "in line. Bevel: of the cut against square at its two corners, positive where the outer "
-    "face is the longer. Dihedral: between plate and face on the inner side.": (
-        "视图为各板外表面边线；虚线：隔板；粗线：节点处切口。节点侧：沿支构件在节点之前或之后。错台：支构件"
-        "面高出贯通构件面的量，仅两板对齐时按规则核对。坡口角：切口两端相对直角的角度，外表面较长为正。"
-        "二面角：板与所落面的内侧夹角。"
+    "Views show plates by the edges of their outer faces; broken: diaphragms; wide: cuts at the "
+    "node. Side of node: before or behind it along the branch. Step: of the branch's face over "
+    "that of the member that runs through; held against the rule where both plates are in line. "
+    "Angle of cut: of the end as it lies on the face, without its groove, against square, at its "
+    "two corners, positive where the outer face is the longer. Dihedral: between plate and face "
+    "on the inner side. Places of diaphragms: the middle of each side at mid-thickness, from the "
+    "node, x along the member that runs through, y to the left, z outwards. Symbols: one for each "
+    "kind of weld, its letter in the tail.": (
+        "视图为各板外表面边线；虚线：隔板；粗线：节点处切口。节点侧：沿支构件在节点之前或之后。错台："
+        "支构件面高出贯通构件面的量，仅两板对齐时按规则核对。切口角：不计坡口，切口两端相对直角的角度，"
+        "外表面较长为正。二面角：板与所落面的内侧夹角。隔板位置：各边中点（板厚中面）自节点起，"
+        "x 沿贯通构件，y 向左，z 向外。焊缝符号：每种一个，尾部为其字母。"
     ),
 }
+PREPARATIONS = {
+    "corner": "角接",
+    "butt": "对接",
+    "branch": "相贯",
+    "diaphragm": "隔板",
+    "end plate": "端板",
+    "slot": "槽焊",
+    "skew": "斜接",
+}
+"""The names rule packs give preparations; those of a schedule stay as they are."""
 CHINESE: dict[str, str] = {
     **_TITLES,
     **_HEADINGS,

@@ -12,9 +12,9 @@ import numpy as np
 from ..beds.control_record import ControlSection
 from ..lofting import MemberRecord
 from ..welds.backing import backing_bars
-from ..welds.preps import Prep
+from ..welds.preps import SLOT, Prep
 from ..welds.weld_record import Weld
-from .sheet import Polyline, Text, View, text_box, text_width
+from .sheet import Polyline, Text, View, text_box, text_width, wrapped
 from .sheet_labels import as_points
 from .sheet_pack import Block
 from .sheet_style import SheetStyle, fixed
@@ -22,13 +22,15 @@ from .sheet_tables import ROW_HEIGHT, TITLE_ROOM, Listing, table_blocks
 from .sheet_weld_map import weld_map_blocks
 from .sheet_weld_symbol import (
     SYMBOL_ROOM,
-    is_partial,
+    prep_title,
     weld_arrow,
     weld_symbol,
     weld_symbol_width,
 )
 
-CAPTION, FIGURES = 2.5, 1.8
+CAPTION, FIGURES, ROW = 2.5, 1.8, 2.8
+CAPTION_ROOM = 100.0
+"""mm; width of what is said of a symbol at most."""
 
 
 def weld_groups(
@@ -40,11 +42,15 @@ def weld_groups(
         return []
     wide, high = area[2] - area[0], area[3] - area[1]
     letters = kind_letters(record.welds)
-    groups = [_section_blocks(record, scale, style)]
+    groups = [_section_blocks(record, letters, scale, wide, style)]
     groups += [[block] for block in weld_map_blocks(record, letters, (wide, high), style)]
     groups.append(symbol_blocks(record.welds, letters, style))
-    for listing in (weld_listing(record, letters, style), bar_listing(record, style)):
+    for listing in (
+        *weld_listings(record, letters, style, wide),
+        bar_listing(record, style),
+    ):
         if listing.rows:
+            listing = listing.within(wide)
             most = int((high - TITLE_ROOM) // ROW_HEIGHT) - 1
             beside = max(1, int((wide + 5.0) // (sum(listing.widths) + 5.0)))
             rows = min(most, max(8, -(-len(listing.rows) // beside)))
@@ -62,12 +68,6 @@ def kind_letters(welds: Sequence[Weld]) -> dict[tuple, str]:
     }
 
 
-def _cut_thickness(weld: Weld) -> float:
-    """Thickness of the plate that is cut, at a joint of the thinner one, which the chamfer of a
-    thicker one ends at."""
-    return min(weld.thickness) if weld.kind == "joint" else weld.thickness[0]
-
-
 def type_word(prep: Prep) -> str:
     """The type of a preparation as sheets write it."""
     return "V" if prep.type == "v" else prep.type
@@ -78,14 +78,21 @@ def weld_kind(weld: Weld) -> tuple:
     return weld.prep, weld.place, weld.ndt
 
 
-def _section_blocks(record: MemberRecord, scale: int, style: SheetStyle) -> list[Block]:
-    """The welds at the section nearest to mid-length that cuts any."""
+def _section_blocks(
+    record: MemberRecord, letters: dict[tuple, str], scale: int, room: float, style: SheetStyle
+) -> list[Block]:
+    """The welds at the section nearest to mid-length that cuts any; with the letters of their kinds
+    alone where all that symbols tell is wider than `room`, mm."""
     if not record.controls:
         return []
     half = 0.5 * (record.controls[0].s + record.controls[-1].s)
     nearest = sorted(record.controls, key=lambda one: abs(one.s - half))
-    drawn = (_welded_section(section, record, scale, style) for section in nearest)
-    return [block for block in drawn if block is not None][:1]
+    for section in nearest:
+        for brief in (False, True):
+            block = _welded_section(section, record, letters, scale, brief, style)
+            if block is not None and (brief or block.size[0] <= room):
+                return [block]
+    return []
 
 
 def symbol_blocks(
@@ -95,23 +102,38 @@ def symbol_blocks(
     say, blocks = style.say, []
     for (prep, place, ndt), letter in letters.items():
         own = [weld for weld in welds if weld_kind(weld) == (prep, place, ndt)]
-        depths = {_cut_thickness(weld) for weld in own}
+        depths = {weld.cut_thickness for weld in own}
         thickness = depths.pop() if len(depths) == 1 else None
         at = (6.0, -SYMBOL_ROOM)
         lines, texts = weld_symbol(prep, thickness, place, ndt, at, style)
         lines += weld_arrow(prep, at, (0.0, at[1] - 4.0), style)
         total = style.length(sum(weld.length for weld in own), 0)
         unit = "" if style.unit == "ft-in" else " mm"
-        kind = f"{prep.name or prep.type}: {say(type_word(prep))}, {say(place)}"
+        named = prep_title(prep, style)
+        kind = f"{named + ': ' if named else ''}{say(type_word(prep))}, {say(place)}"
         words = f"{letter}  {kind}, × {len(own)}, {say('in all {}', total + unit)}"
-        texts.append(Text(0.0, -FIGURES, FIGURES, words))
-        wide = max(8.0 + weld_symbol_width(prep, ndt), text_width(words, FIGURES))
-        box = (0.0, at[1] - SYMBOL_ROOM, wide + 2.0, 1.0)
+        captions = wrapped(words, FIGURES, CAPTION_ROOM)
+        high = ROW * (len(captions) - 1)
+        texts += [
+            Text(0.0, high - FIGURES - ROW * k, FIGURES, line) for k, line in enumerate(captions)
+        ]
+        wide = max(text_width(line, FIGURES) for line in captions)
+        wide = max(8.0 + weld_symbol_width(prep, ndt, style), wide)
+        low = min(float(text_box(text)[:, 1].min()) for text in texts)
+        low = min(low, *(y for line in lines for _, y in line.points))
+        box = (0.0, low - 2.0, wide + 2.0, high + 1.0)
         blocks.append(Block("", (), tuple(lines), tuple(texts), box))
     return blocks
 
 
-def _welded_section(section: ControlSection, record: MemberRecord, scale: int, style: SheetStyle):
+def _welded_section(
+    section: ControlSection,
+    record: MemberRecord,
+    letters: dict[tuple, str],
+    scale: int,
+    brief: bool,
+    style: SheetStyle,
+) -> Block | None:
     """A section with the symbols of the seams it cuts at its corners; None without seams."""
     rings = {
         plate.mark: np.stack([-plate.ring[:, 0], plate.ring[:, 1]], axis=1) / scale
@@ -143,9 +165,10 @@ def _welded_section(section: ControlSection, record: MemberRecord, scale: int, s
             side = 1.0 if corner[1] > middle[1] else -1.0
             level = max(level + 2.0 * SYMBOL_ROOM, float(corner[1]) + 5.0 * side)
             at = (float(low[0]) - 6.0 if leftward else float(high[0]) + 6.0, level)
-            thickness = _cut_thickness(weld)
+            thickness = weld.cut_thickness
             more, words = weld_symbol(
-                weld.prep, thickness, weld.place, weld.ndt, at, style, leftward
+                *(weld.prep, thickness, weld.place, weld.ndt, at, style, leftward),
+                *(letters[weld_kind(weld)], brief),
             )
             lines += [*more, *weld_arrow(weld.prep, at, corner, style)]
             texts += words
@@ -168,30 +191,54 @@ def _cut_corner(cut: np.ndarray, beside: np.ndarray) -> np.ndarray:
     return cut[int(np.argmin(distance.min(axis=1)))]
 
 
-def weld_listing(record: MemberRecord, letters: dict[tuple, str], style: SheetStyle) -> Listing:
+_COLUMNS = {
+    "weld": "<", "cut / on": "<", "t": ">", "symbol": "<", "type": "<", "angle, °": ">",
+    "land": ">", "gap": ">", "depth": ">", "side": "<", "backing": "<", "from": ">", "to": ">",
+    "length": ">", "place": "<", "NDT": "<",
+}  # fmt: skip
+_OF_KIND = ("type", "angle, °", "land", "gap", "side", "backing", "place", "NDT")
+"""Columns that are the same for all welds of one letter."""
+_IF_ANY = ("side", "backing", "NDT")
+"""Columns left out when nothing stands in them."""
+
+
+def weld_listings(
+    record: MemberRecord, letters: dict[tuple, str], style: SheetStyle, room: float
+) -> list[Listing]:
     """The list of welds: mark, plates, type, sizes, length, place, NDT, and the total length.
-    Columns nothing stands in are left out."""
+    Where that is wider than `room`, mm, what all welds of a kind have in common is in a list of the
+    kinds before it."""
     say = style.say
-    columns = ("weld", "cut / on", "t", "symbol", "type", "angle, °", "land", "gap", "depth",
-               "side", "backing", "from", "to", "length", "place", "NDT")  # fmt: skip
-    align = "<<><<>>>><<>>><<"
-    rows = [
-        _weld_row(weld, letters[weld_kind(weld)], record.member, style) for weld in record.welds
+    unit = " (mm)" if style.unit == "mm" else ""
+    cells = [
+        dict(
+            zip(
+                _COLUMNS,
+                _weld_row(weld, letters[weld_kind(weld)], record.member, style),
+                strict=True,
+            )
+        )
+        for weld in record.welds
     ]
-    total = ["" for _ in columns]
-    total[0], total[13] = say("total"), style.length(sum(w.length for w in record.welds))
-    shown = [
-        k
-        for k, name in enumerate(columns)
-        if name not in ("side", "backing", "NDT")
-        or len({row[k] for row in rows} - {"–", say("outer")})
+    total = {"weld": say("total"), "length": style.length(sum(w.length for w in record.welds))}
+    used = {name for name in _IF_ANY for row in cells if row[name] not in ("–", say("outer"))}
+    shown = [name for name in _COLUMNS if name not in _IF_ANY or name in used]
+    whole = _listing(say(f"Welds and joints{unit}"), shown, [*cells, total], style)
+    if sum(whole.widths) <= room:
+        return [whole]
+    own = [name for name in shown if name not in _OF_KIND]
+    common = ["symbol", *(name for name in shown if name in _OF_KIND)]
+    kinds = {row["symbol"]: row for row in cells}
+    return [
+        _listing(say(f"Kinds of welds{unit}"), common, list(kinds.values()), style),
+        _listing(whole.title, own, [*cells, total], style),
     ]
-    rows = [*rows, tuple(total)]
+
+
+def _listing(title: str, columns: list[str], cells: list[dict], style: SheetStyle) -> Listing:
+    rows = tuple(tuple(row.get(name, "") for name in columns) for row in cells)
     return Listing(
-        say("Welds and joints (mm)") if style.unit == "mm" else say("Welds and joints"),
-        tuple(say(columns[k]) for k in shown),
-        tuple(tuple(row[k] for k in shown) for row in rows),
-        "".join(align[k] for k in shown),
+        title, style.said(tuple(columns)), rows, "".join(_COLUMNS[name] for name in columns)
     )
 
 
@@ -199,10 +246,13 @@ def _weld_row(weld: Weld, letter: str, member: str, style: SheetStyle) -> tuple[
     prep, say = weld.prep, style.say
     depth = "–"
     if prep.is_cut:
-        deep = prep.depth(_cut_thickness(weld))
-        depth = style.length(deep) if is_partial(prep) else say("full")
+        deep = prep.depth(weld.cut_thickness)
+        both = prep.type.startswith("double")
+        depth = "/".join([style.fine(deep)] * (2 if both else 1))
+    elif prep.type == SLOT:
+        depth = style.shape(prep.name.removeprefix("slot "))
     elif prep.leg:
-        depth = f"z {style.length(prep.leg)}"
+        depth = f"z {style.fine(prep.leg)}"
     return (
         weld.mark,
         " / ".join(mark.removeprefix(f"{member}-") for mark in weld.plates),
@@ -210,11 +260,11 @@ def _weld_row(weld: Weld, letter: str, member: str, style: SheetStyle) -> tuple[
         letter,
         say(type_word(prep)),
         f"{math.degrees(prep.angle):g}" if prep.angle else "–",
-        style.length(prep.land),
-        style.length(prep.gap),
+        style.fine(prep.land),
+        style.fine(prep.gap),
         depth,
         say(prep.side),
-        "{:g}x{:g}".format(*prep.backing) if prep.backing else "–",
+        style.shape("{:g}x{:g}".format(*prep.backing)) if prep.backing else "–",
         style.length(weld.start),
         style.length(weld.end),
         style.length(weld.length),
@@ -230,7 +280,7 @@ def bar_listing(record: MemberRecord, style: SheetStyle) -> Listing:
         (
             bar.mark,
             bar.weld,
-            f"{bar.width:g}",
+            style.fine(bar.width) if style.unit == "ft-in" else f"{bar.width:g}",
             f"{bar.thickness:g}",
             style.length(bar.length),
             bar.material,

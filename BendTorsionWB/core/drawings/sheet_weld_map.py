@@ -93,7 +93,7 @@ def _stacked(parts, span, continued: bool, width: float, style: SheetStyle) -> B
 
 def _rows(record: MemberRecord) -> list[_Row]:
     plates = [plate for plate in record.plates if plate.lines]
-    joints = [weld for weld in record.welds if weld.kind in ("joint", "node", "diaphragm")]
+    joints = [weld for weld in record.welds if weld.kind in ("joint", "node", "diaphragm", "end")]
     seams: dict[str, list[Weld]] = {}
     for weld in record.welds:
         if weld.kind in ("seam", "lane"):

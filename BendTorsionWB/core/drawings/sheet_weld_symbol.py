@@ -13,11 +13,12 @@ import math
 
 import numpy as np
 
-from ..welds.preps import Prep
-from .sheet import Polyline, Text, text_width
+from ..welds.preps import SLOT, TYPES, Prep
+from .sheet import Polyline, Text, text_width, wrapped
 from .sheet_labels import as_points
-from .sheet_style import SheetStyle, fixed
+from .sheet_style import SheetStyle
 from .sheet_symbols import arrow
+from .sheet_terms import PREPARATIONS
 
 HEIGHT = 1.8
 GROOVE = 4.6
@@ -27,6 +28,8 @@ REFERENCE = 22.0
 FLAG = 6.5
 SYMBOL_ROOM = GROOVE + 8.5
 """mm; what a symbol takes above its reference line, and below."""
+KNEE = 2.5
+"""mm; how far a broken arrow of AWS bends aside at most."""
 DASHED = 1.0
 """mm from the continuous to the dashed line."""
 FULL_PENETRATION_LAND = 3.0
@@ -34,6 +37,8 @@ FULL_PENETRATION_LAND = 3.0
 AWS D1.1; a thicker one is left, and the weld is as deep as its groove."""
 PERMANENT = "M"
 """ISO: a backing that stays."""
+TAIL, TAIL_ROOM, TAIL_ROW = 2.6, 44.0, 2.8
+"""mm; from the reference line to the text in the tail, width of that at most, of its lines."""
 
 
 def weld_symbol(
@@ -44,10 +49,13 @@ def weld_symbol(
     at: tuple[float, float],
     style: SheetStyle,
     leftward: bool = False,
+    letter: str = "",
+    brief: bool = False,
 ) -> tuple[list[Polyline], list[Text]]:
     """The symbol of a weld whose reference line starts at a point, the end of its arrow, and runs
     to the right, or to the left. The arrow points at the outer face. thickness: of the plates, mm;
-    None for welds of several, whose depth is told by t."""
+    None for welds of several, whose depth is told by t. letter: of its kind, for the tail; brief:
+    nothing else there."""
     x, y = at
     way = -1.0 if leftward else 1.0
     end = x + way * REFERENCE
@@ -79,12 +87,16 @@ def weld_symbol(
         lines.append(
             Polyline(((x, y), (x, y + FLAG), (x + way * 3.0, y + FLAG - 1.3), (x, y + FLAG - 2.6)))
         )
-    tail = tail_text(prep, ndt)
+    tail = [letter] if brief else tail_lines(prep, ndt, style, letter)
     if tail:
         fork = ((end + way * 1.8, y + 1.8), (end, y), (end + way * 1.8, y - 1.8))
         lines.append(Polyline(fork, "medium"))
         anchor = "end" if leftward else "start"
-        texts.append(Text(end + way * 2.6, y - 0.5 * HEIGHT, HEIGHT, tail, anchor=anchor))
+        top = y - 0.5 * HEIGHT + 0.5 * TAIL_ROW * (len(tail) - 1)
+        texts += [
+            Text(end + way * TAIL, top - TAIL_ROW * k, HEIGHT, line, anchor=anchor)
+            for k, line in enumerate(tail)
+        ]
     return lines, texts
 
 
@@ -102,15 +114,16 @@ def _figures(
     if depth:
         texts.append(Text(middle - 2.8, stands(1.0), HEIGHT, depth, anchor="end"))
     level = GROOVE + 0.9
-    if prep.gap and not prep.type.endswith("fillet"):
-        gap = style.length(prep.gap) if style.unit == "ft-in" else f"{prep.gap:g}"
+    if prep.gap and not prep.type.endswith(("fillet", SLOT)):
+        gap = _size(prep.gap, style)
         narrow = prep.type.endswith("square") or text_width(gap, HEIGHT) > 1.7
-        inside = middle + (0.6 if prep.type.endswith("bevel") else 0.0)
+        # The slant of a bevel leaves less room low on its right.
+        inside = middle - (0.35 if prep.type.endswith("bevel") else 0.0)
         if narrow:
             texts.append(Text(middle, stands(level), HEIGHT, gap, anchor="middle"))
             level += HEIGHT + 1.1
         else:
-            texts.append(Text(inside - 0.3, stands(2.75), HEIGHT, gap, anchor="middle"))
+            texts.append(Text(inside, stands(2.75), HEIGHT, gap, anchor="middle"))
     if prep.is_cut and prep.angle:
         angle = f"{math.degrees(prep.angle):g}°"
         texts.append(Text(middle, stands(level), HEIGHT, angle, anchor="middle"))
@@ -131,23 +144,39 @@ def depth_text(prep: Prep, thickness: float | None, style: SheetStyle) -> str:
 
 
 def is_partial(prep: Prep) -> bool:
-    """True of a groove weld that leaves a part of the root face unwelded."""
-    return prep.is_cut and prep.backing is None and prep.land > FULL_PENETRATION_LAND
+    """True of a groove weld that leaves a part of the root face unwelded. On a backing bar a gap as
+    wide as the root face is high fills it (AWS D1.1, prequalified square groove B-L1a)."""
+    filled = prep.backing is not None and prep.gap >= prep.land
+    return prep.is_cut and not filled and prep.land > FULL_PENETRATION_LAND
 
 
 def _size(value: float, style: SheetStyle) -> str:
-    return style.length(value) if style.unit == "ft-in" else fixed(value, 1).removesuffix(".0")
+    return style.fine(value).removesuffix(".0")
 
 
-def tail_text(prep: Prep, ndt: str) -> str:
-    """What stands in the tail: the name of the preparation and the test."""
-    return " ".join(word for word in (prep.name if prep.name != prep.type else "", ndt) if word)
+def prep_title(prep: Prep, style: SheetStyle) -> str:
+    """The name of a preparation; nothing of one that is told by its type and sizes alone, which
+    the symbol shows."""
+    if prep.name.partition(" ")[0] in ("", *TYPES):
+        return ""
+    if prep.type == SLOT:
+        word, _, size = prep.name.partition(" ")
+        word = PREPARATIONS[word] if style.language == "zh" else word
+        return f"{word} {style.shape(size)}"
+    return PREPARATIONS.get(prep.name, prep.name) if style.language == "zh" else prep.name
 
 
-def weld_symbol_width(prep: Prep, ndt: str) -> float:
+def tail_lines(prep: Prep, ndt: str, style: SheetStyle, letter: str = "") -> list[str]:
+    """What stands in the tail, line by line: the letter of the kind of weld, the name of the
+    preparation and the test."""
+    words = " ".join(word for word in (letter, prep_title(prep, style), ndt) if word)
+    return wrapped(words, HEIGHT, TAIL_ROOM)
+
+
+def weld_symbol_width(prep: Prep, ndt: str, style: SheetStyle) -> float:
     """Width of the symbol, its tail included, mm."""
-    tail = tail_text(prep, ndt)
-    return REFERENCE + (2.6 + text_width(tail, HEIGHT) if tail else 0.0)
+    tail = tail_lines(prep, ndt, style)
+    return REFERENCE + (TAIL + max(text_width(line, HEIGHT) for line in tail) if tail else 0.0)
 
 
 def weld_arrow(prep: Prep, tail, tip, style: SheetStyle) -> list[Polyline]:
@@ -157,7 +186,8 @@ def weld_arrow(prep: Prep, tail, tip, style: SheetStyle) -> list[Polyline]:
     if style.first_angle or not prep.type.endswith("bevel"):
         return arrow(tail, tip)
     along = tip - tail
-    knee = tail + 0.45 * along + 0.18 * np.array([-along[1], along[0]])
+    aside = min(0.18, KNEE / max(float(np.hypot(*along)), 1e-9))
+    knee = tail + 0.45 * along + aside * np.array([-along[1], along[0]])
     return [Polyline(as_points(np.array([tail, knee])), "medium"), *arrow(knee, tip)]
 
 
@@ -166,6 +196,8 @@ def _groove(prep: Prep) -> list[tuple[tuple[float, float], ...]]:
     kind = prep.type.removeprefix("double-")
     if kind == "square":
         return [((-0.6, 0.0), (-0.6, GROOVE)), ((0.6, 0.0), (0.6, GROOVE))]
+    if kind == SLOT:
+        return [((-2.6, 0.0), (-2.6, 3.0), (2.6, 3.0), (2.6, 0.0))]
     if kind == "fillet":
         return [((-1.8, 0.0), (-1.8, 3.6), (1.8, 0.0))]
     if kind == "bevel":

@@ -11,14 +11,20 @@ ruling belongs to both sides. A correction (the `elastic` mode) moves points off
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from ..finding import BendTorsionError, error
-from ..geometry.piecewise import Piecewise
-from ..geometry.vectors import crossed, lengths
+from ..geometry.piecewise import (
+    Piecewise,
+    antiderivatives_together,
+    derivatives_together,
+    parted,
+)
+from ..geometry.vectors import dots, lengths
 
 ACROSS = np.linspace(0.0, 1.0, 5)
 """Places across a plate at which guards and strains are taken."""
@@ -40,13 +46,9 @@ class Rulings:
     flat_ruling: np.ndarray
     correction: np.ndarray | None
 
-    def split(self, count: int) -> tuple[Rulings, Rulings]:
-        """The first `count` rulings and the rest."""
-        parts = vars(self).values()
-        return tuple(
-            Rulings(*(None if part is None else part[which] for part in parts))
-            for which in (slice(count), slice(count, None))
-        )
+    def of(self, chosen: np.ndarray) -> Rulings:
+        """Some of the rulings."""
+        return Rulings(*(None if part is None else part[chosen] for part in vars(self).values()))
 
     def point(self, w: np.ndarray) -> np.ndarray:
         """Points (n, 3) of the curved surface at w (n,)."""
@@ -76,6 +78,17 @@ class Rulings:
         return self.correction.shape[1]
 
 
+def rulings_of(rails: np.ndarray, plane: np.ndarray, correction: np.ndarray | None) -> Rulings:
+    """Rulings from the values of a surface (n, 6) and its plane (n, 4), c, θ, ρ."""
+    return Rulings(
+        rails[:, :3],
+        rails[:, 3:] - rails[:, :3],
+        plane[:, :2],
+        plane[:, 3:] * _ruling_direction(plane[:, 2]),
+        correction,
+    )
+
+
 @dataclass(frozen=True, eq=False)
 class Development:
     """A flat pattern: surface rails s -> (6,), and the plane's c, θ, ρ as s -> (4,).
@@ -96,18 +109,10 @@ class Development:
 
     def rulings(self, s: np.ndarray) -> Rulings:
         """The rulings at s (n,)."""
-        both = self._both(s)
-        rails, value = both[:, :6], both[:, 6:]
-        correction = None
+        both, correction = self._both(s), None
         if self.correction is not None:
-            correction = self.correction(s).reshape(len(rails), -1, 2)
-        return Rulings(
-            rails[:, :3],
-            rails[:, 3:] - rails[:, :3],
-            value[:, :2],
-            value[:, 3:] * _ruling_direction(value[:, 2]),
-            correction,
-        )
+            correction = self.correction(s).reshape(len(both), -1, 2)
+        return rulings_of(both[:, :6], both[:, 6:], correction)
 
     def point(self, s: np.ndarray, w: np.ndarray) -> np.ndarray:
         """Points (n, 3) of the curved surface at (s, w)."""
@@ -188,29 +193,43 @@ def develop(rails: Piecewise, name: str = "plate", mode: str = "edges") -> Devel
     Raises BendTorsionError, with the place, where the surface or its pattern folds over itself
     (W <= 0, p − wm <= 0) or a ruling has no length.
     """
-    values = rails.values
-    rate = rails.derivative.values
+    return develop_together([rails], [name], mode)[0]
+
+
+def develop_together(
+    rails: Sequence[Piecewise], names: Sequence[str], mode: str = "edges"
+) -> list[Development]:
+    """`develop` of many surfaces in one sweep; raises BendTorsionError for the first that fails."""
+    values = np.concatenate([one.values for one in rails])
+    rate = np.concatenate([one.values for one in derivatives_together(rails)])
+
+    def guard(positive: np.ndarray, problem: str, unit: str) -> None:
+        if (positive <= 0).any():
+            for name, one, own in zip(names, rails, parted(positive, counts), strict=True):
+                _guard(name, one, own, problem, unit)
+
+    counts, breaks = [len(one.values) for one in rails], [one.breaks for one in rails]
     ruling = values[..., 3:] - values[..., :3]
     width = lengths(ruling)
-    _guard(name, rails, width, "the strip has no width", "mm")
+    guard(width, "the strip has no width", "mm")
     unit = ruling / width[..., None]
-    slip = (rate[..., :3] * unit).sum(axis=2)
+    slip = dots(rate[..., :3], unit)
     first = rate[..., :3] - slip[..., None] * unit
-    second = rate[..., 3:] - (rate[..., 3:] * unit).sum(axis=2)[..., None] * unit
-    one_way = (first * second).sum(axis=2) / lengths(first)
-    _guard(name, rails, one_way, "the plate folds over itself: its second edge runs back", "mm/mm")
+    second = rate[..., 3:] - dots(rate[..., 3:], unit)[..., None] * unit
+    one_way = dots(first, second) / lengths(first)
+    guard(one_way, "the plate folds over itself: its second edge runs back", "mm/mm")
     p, m = {"edges": _keep_edges, "energy": _least_strain}[mode](first, second)
     edge = np.minimum(p, p - m)
-    _guard(name, rails, edge, "the pattern folds over itself: an edge runs back", "mm/mm")
-    theta = Piecewise(rails.breaks, (m / width)[..., None]).antiderivative()
-    angle = theta.values[..., 0]
-    velocity = np.stack(
-        [p * np.cos(angle) - slip * np.sin(angle), p * np.sin(angle) + slip * np.cos(angle)],
-        axis=2,
-    )
-    path = Piecewise(rails.breaks, velocity).antiderivative()
-    plane = np.concatenate([path.values, angle[..., None], width[..., None]], axis=2)
-    return Development(rails, Piecewise(rails.breaks, plane))
+    guard(edge, "the pattern folds over itself: an edge runs back", "mm/mm")
+    angle = antiderivatives_together((m / width)[..., None], breaks)[..., 0]
+    cos, sin = np.cos(angle), np.sin(angle)
+    velocity = np.stack([p * cos - slip * sin, p * sin + slip * cos], axis=2)
+    path = antiderivatives_together(velocity, breaks)
+    plane = np.concatenate([path, angle[..., None], width[..., None]], axis=2)
+    return [
+        Development(one, Piecewise(one.breaks, part))
+        for one, part in zip(rails, parted(plane, counts), strict=True)
+    ]
 
 
 def _keep_edges(first: np.ndarray, second: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -241,7 +260,7 @@ def strain(development: Development, s: np.ndarray, w: np.ndarray) -> np.ndarray
     if development.correction is not None:
         pair = principal_strains(development, s, w)
         return np.where(np.abs(pair[0]) >= np.abs(pair[1]), pair[0], pair[1])
-    return _ruling_strain(
+    return ruling_strain(
         development.plane(s),
         development.plane.derivative(s),
         development.surface(s),
@@ -257,7 +276,7 @@ def strain_at_nodes(development: Development, w: np.ndarray) -> np.ndarray:
         middle = nodes.mean(axis=1, keepdims=True)
         return strain(development, (nodes + (middle - nodes) * 1e-9).ravel(), w)
     plane, surface = development.plane, development.surface
-    return _ruling_strain(
+    return ruling_strain(
         *(
             piece.values.reshape(nodes.size, -1)
             for piece in (plane, plane.derivative, surface, surface.derivative)
@@ -266,19 +285,17 @@ def strain_at_nodes(development: Development, w: np.ndarray) -> np.ndarray:
     )
 
 
-def _ruling_strain(
+def ruling_strain(
     plane: np.ndarray, slope: np.ndarray, rails: np.ndarray, rate: np.ndarray, w: np.ndarray
 ) -> np.ndarray:
+    """The strain (n, k) across rigid rulings, from values and rates of plane and surface (n, …)."""
     angle = plane[:, 2].copy()
     along = np.cos(angle) * slope[:, 0] + np.sin(angle) * slope[:, 1]
     flat = along[:, None] - w * (slope[:, 2] * plane[:, 3])[:, None]
     ruling = rails[:, 3:] - rails[:, :3]
     width = lengths(ruling)
     unit = ruling / width[:, None]
-    pair = rate.reshape(-1, 2, 3)
-    first, second = (
-        one - (one * unit).sum(axis=1)[:, None] * unit for one in (pair[:, 0], pair[:, 1])
-    )
+    first, second = (one - dots(one, unit)[:, None] * unit for one in (rate[:, :3], rate[:, 3:]))
     across = first[:, None] + w[None, :, None] * (second - first)[:, None]
     return flat / lengths(across) - 1.0
 
@@ -325,64 +342,6 @@ def flat_area(development: Development) -> float:
     by_s, by_w = development.jacobian(np.repeat(s, 8), np.tile(0.5 * (nodes + 1.0), len(s)))
     density = _cross(by_s, by_w).reshape(len(half), 8, 8)
     return float((density * weights[:, None] * weights * (0.5 * half)[:, None, None]).sum())
-
-
-@dataclass(frozen=True, eq=False)
-class SurfaceShape:
-    """Shape of a ruled surface at (n, k) places: unit normal P' × R, Gaussian curvature (1/mm2),
-    the largest absolute principal curvature, the normal curvature across the rulings and the
-    twist (geodesic torsion) along them (1/mm); along the ruling there is no curvature."""
-
-    normal: np.ndarray
-    gauss: np.ndarray
-    sharpest: np.ndarray
-    bend: np.ndarray
-    twist: np.ndarray
-
-
-def shape_of(rails: Piecewise, s: np.ndarray, w: np.ndarray) -> SurfaceShape:
-    """First and second fundamental forms of the ruled surface at s (n,) and w (k,)."""
-    value = rails.with_rates(s)
-    return shape_from(value[:, :6], value[:, 6:12], value[:, 12:], w)
-
-
-def gauss_of(rails: Piecewise, s: np.ndarray, w: float) -> np.ndarray:
-    """Gaussian curvature (n,), 1/mm2, of the ruled surface at s (n,) along w: −(T·n̂)²/W²ρ², T the
-    rate of the ruling."""
-    both = rails.with_rates(s)
-    value, rate = both[:, :6], both[:, 6:12]
-    ruling, twist = value[:, 3:] - value[:, :3], rate[:, 3:] - rate[:, :3]
-    normal = crossed(rate[:, :3] + w * twist, ruling)
-    area = (normal * normal).sum(axis=1)
-    return -(((twist * normal).sum(axis=1) / area) ** 2)
-
-
-def shape_inside(rails: Piecewise, w: np.ndarray) -> SurfaceShape:
-    """shape_of at all nodes inside the pieces."""
-    pieces = rails, rails.derivative, rails.derivative.derivative
-    return shape_from(*(piece.values[:, 1:-1].reshape(-1, 6) for piece in pieces), w)
-
-
-def shape_from(
-    value: np.ndarray, rate: np.ndarray, bend: np.ndarray, w: np.ndarray
-) -> SurfaceShape:
-    """As shape_of, from values, rates and second derivatives (n, 6) of the rails."""
-    ruling = (value[:, 3:] - value[:, :3])[:, None, :]
-    twist = (rate[:, 3:] - rate[:, :3])[:, None, :]
-    weight = np.asarray(w)[None, :, None]
-    tangent = rate[:, None, :3] + weight * twist
-    second = bend[:, None, :3] + weight * (bend[:, 3:] - bend[:, :3])[:, None, :]
-    normal = crossed(tangent, ruling)
-    area = lengths(normal)
-    normal = normal / area[..., None]
-    e, f, g = (
-        (a * b).sum(axis=2) for a, b in ((tangent, tangent), (tangent, ruling), (ruling, ruling))
-    )
-    bent, mixed = (second * normal).sum(axis=2), (twist * normal).sum(axis=2)
-    gauss = -((mixed / area) ** 2)
-    mean = (bent * g - 2 * mixed * f) / (2 * area**2)
-    sharpest = np.abs(mean) + np.sqrt(np.maximum(mean**2 - gauss, 0.0))
-    return SurfaceShape(normal, gauss, sharpest, 2.0 * mean, mixed / area)
 
 
 def _guard(name: str, rails: Piecewise, positive: np.ndarray, problem: str, unit: str) -> None:

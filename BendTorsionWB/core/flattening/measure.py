@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from ..geometry.vectors import lengths
 from .development import Development, Rulings
+from .developments import Developments
 
 FINEST = 16
 """Chords per smooth interval at the finest of the three levels extrapolated from: lengths of panels
@@ -21,7 +22,10 @@ MODES = 3
 
 def smooth_intervals(places: np.ndarray, folds: tuple[float, ...]) -> tuple[np.ndarray, np.ndarray]:
     """Intervals (k, 2) between consecutive places, cut at folds, and the panel (k,) of each."""
-    inner = [f for f in folds if places[0] < f < places[-1]]
+    known = set(places.tolist())
+    inner = [f for f in folds if places[0] < f < places[-1] and f not in known]
+    if not inner and (places[1:] > places[:-1]).all():
+        return np.stack([places[:-1], places[1:]], axis=1), np.arange(len(places) - 1)
     edges = np.unique(np.concatenate([places, inner]))
     intervals = np.column_stack([edges[:-1], edges[1:]])
     middle = 0.5 * (edges[:-1] + edges[1:])
@@ -71,10 +75,11 @@ def _extrapolated(sums: list[np.ndarray]) -> np.ndarray:
 
 @dataclass(frozen=True, eq=False)
 class PanelSamples:
-    """The rulings of a development at the sample places of the panels between `places` (k + 1,),
-    sampled once for every length of the panels."""
+    """The rulings of developments at the sample places of the panels between `places` (k + 1,),
+    sampled once for every length of the panels. The places of several developments follow each
+    other; between the last of one and the first of the next lies no panel, and its figures mean
+    nothing."""
 
-    development: Development
     places: np.ndarray
     ends: Rulings
     panels: np.ndarray
@@ -83,7 +88,7 @@ class PanelSamples:
 
     @property
     def count(self) -> int:
-        """Number of panels."""
+        """Number of panels, those that are none included."""
         return len(self.places) - 1
 
     def edge(self, w: float) -> tuple[np.ndarray, np.ndarray]:
@@ -236,12 +241,29 @@ def panel_samples(
     development: Development, places: np.ndarray, folds: tuple[float, ...]
 ) -> PanelSamples:
     """Samples for the lengths of the panels between places (k + 1,), smooth apart from folds."""
-    intervals, panels = smooth_intervals(places, folds)
-    s = _sampled(intervals)
+    return samples_together(Developments((development,)), [places], [folds])
+
+
+def samples_together(
+    developments: Developments,
+    places: Sequence[np.ndarray],
+    folds: Sequence[tuple[float, ...]],
+) -> PanelSamples:
+    """panel_samples of many developments, each with its places (n,) and folds."""
+    parts = [smooth_intervals(*own) for own in zip(places, folds, strict=True)]
+    # Evaluated per development: its places, then the samples between them.
+    samples = [_sampled(intervals) for intervals, _ in parts]
+    first = np.cumsum([0, *(len(own) for own in places[:-1])])
+    panels = np.concatenate([own + start for (_, own), start in zip(parts, first, strict=True)])
+    whole = developments.rulings(
+        [np.concatenate(both) for both in zip(places, samples, strict=True)]
+    )
+    sizes = np.array([[len(own), len(one)] for own, one in zip(places, samples, strict=True)])
+    is_place = np.repeat(np.tile([True, False], len(places)), sizes.ravel())
+    every, s = np.concatenate(places), np.concatenate(samples)
     owner = np.repeat(panels, FINEST + 1)
-    wave = (s - places[owner]) / (places[owner + 1] - places[owner])
-    ends, inside = development.rulings(np.concatenate([places, s])).split(len(places))
-    return PanelSamples(development, places, ends, panels, inside, wave)
+    wave = (s - every[owner]) / (every[owner + 1] - every[owner])
+    return PanelSamples(every, whole.of(is_place), panels, whole.of(~is_place), wave)
 
 
 def diagonal_lengths(

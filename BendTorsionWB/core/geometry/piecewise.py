@@ -46,6 +46,8 @@ def _integration_matrix() -> np.ndarray:
 
 _DIFFERENTIATE = _differentiation_matrix()
 _INTEGRATE = _integration_matrix()
+_LAST_COEFFICIENTS = np.linalg.inv(np.polynomial.chebyshev.chebvander(_NODES, DEGREE))[-2:]
+"""The last two Chebyshev coefficients from values at the nodes."""
 
 
 def _combined(matrix: np.ndarray, values: np.ndarray) -> np.ndarray:
@@ -100,6 +102,10 @@ class Piecewise:
     breaks: np.ndarray
     values: np.ndarray
 
+    def __getstate__(self) -> dict[str, np.ndarray]:
+        # What is kept beside them follows from them, and makes results three times as large.
+        return {"breaks": self.breaks, "values": self.values}
+
     @property
     def start(self) -> float:
         return float(self.breaks[0])
@@ -150,27 +156,36 @@ class Piecewise:
         return _weighted(_basis((2.0 * s - low - high) / (high - low)), self.values, where)
 
 
+class Together:
+    """Functions of one width, each to be evaluated at places of its own, all in one sweep."""
+
+    def __init__(self, functions: Sequence[Piecewise]):
+        self._inner = [f.breaks[1:-1] for f in functions]
+        self._base = list(accumulate((len(f.values) for f in functions), initial=0))
+        self._low = np.concatenate([f.breaks[:-1] for f in functions])
+        self._high = np.concatenate([f.breaks[1:] for f in functions])
+        self._values = np.concatenate([f.values for f in functions])
+
+    def __call__(self, places: Sequence[np.ndarray], side: str = "later") -> np.ndarray:
+        """Values (n, d), function after function, each at its own places (k,). side: as of a call
+        of Piecewise, or `inside`: later, but the last place of each belongs to the span before."""
+        where = []
+        for inner, base, s in zip(self._inner, self._base, places, strict=False):
+            own = inner.searchsorted(s, "left" if side == "earlier" else "right")
+            if side == "inside":
+                own[-1] = inner.searchsorted(s[-1], "left")
+            where.append(own + base)
+        where, s = np.concatenate(where), np.concatenate(places)
+        low, high = self._low[where], self._high[where]
+        return _weighted(_basis((2.0 * s - low - high) / (high - low)), self._values, where)
+
+
 def evaluate_together(
     functions: Sequence[Piecewise], places: Sequence[np.ndarray], side: str = "later"
 ) -> list[np.ndarray]:
-    """[f(s, side)] of functions of one width, each at its own places (n,), in one sweep.
-
-    side: as of a call, or `inside`: later, but the last place of each belongs to the span before.
-    """
-    where, base = [], 0
-    for function, s in zip(functions, places, strict=True):
-        inner = function.breaks[1:-1]
-        own = inner.searchsorted(s, "left" if side == "earlier" else "right")
-        if side == "inside":
-            own[-1] = inner.searchsorted(s[-1], "left")
-        where.append(base + own)
-        base += len(function.values)
-    where, s = np.concatenate(where), np.concatenate(places)
-    low = np.concatenate([f.breaks[:-1] for f in functions])[where]
-    high = np.concatenate([f.breaks[1:] for f in functions])[where]
-    values = np.concatenate([f.values for f in functions])
-    total = _weighted(_basis((2.0 * s - low - high) / (high - low)), values, where)
-    return parted(total, [len(p) for p in places])
+    """[f(s, side)] of functions of one width, each at its own places (n,), in one sweep; side as
+    of Together."""
+    return parted(Together(functions)(places, side), [len(p) for p in places])
 
 
 def parted(values: np.ndarray, counts: Sequence[int]) -> list[np.ndarray]:
@@ -180,12 +195,45 @@ def parted(values: np.ndarray, counts: Sequence[int]) -> list[np.ndarray]:
 
 
 def derivatives_together(functions: Sequence[Piecewise]) -> list[Piecewise]:
-    """d/ds of functions of one width, in one sweep."""
-    scale = np.concatenate([2.0 / (f.breaks[1:] - f.breaks[:-1]) for f in functions])
-    values = np.concatenate([f.values for f in functions])
-    rates = _combined(_DIFFERENTIATE, values) * scale[:, None, None]
-    parts = parted(rates, [len(f.values) for f in functions])
-    return [Piecewise(f.breaks, part) for f, part in zip(functions, parts, strict=True)]
+    """d/ds of functions of one width, in one sweep; each is kept as its function's own."""
+    new = [f for f in functions if "derivative" not in vars(f)]
+    if new:
+        scale = 2.0 / np.concatenate([f.breaks[1:] - f.breaks[:-1] for f in new])
+        rates = _combined(_DIFFERENTIATE, np.concatenate([f.values for f in new]))
+        rates *= scale[:, None, None]
+        for f, part in zip(new, parted(rates, [len(f.values) for f in new]), strict=True):
+            vars(f)["derivative"] = Piecewise(f.breaks, part)
+    return [f.derivative for f in functions]
+
+
+def with_rates_together(functions: Sequence[Piecewise]) -> list[Piecewise]:
+    """`with_rates` of functions of one width, in one sweep; each is kept as its function's own."""
+    rates = derivatives_together(functions)
+    bends = derivatives_together(rates)
+    whole = np.concatenate(
+        [np.concatenate([f.values for f in parts]) for parts in (functions, rates, bends)], axis=2
+    )
+    for f, part in zip(functions, parted(whole, [len(f.values) for f in functions]), strict=True):
+        vars(f).setdefault("with_rates", Piecewise(f.breaks, part))
+    return [f.with_rates for f in functions]
+
+
+def integrals_together(values: np.ndarray, breaks: Sequence[np.ndarray]) -> np.ndarray:
+    """Integrals (k, d) of functions of one width given by their values (m, DEGREE + 1, d), span
+    after span, and their breaks."""
+    half = 0.5 * np.concatenate([own[1:] - own[:-1] for own in breaks])
+    whole = _combined(_INTEGRATE[-1:], values)[:, 0] * half[:, None]
+    return np.stack([own.sum(axis=0) for own in parted(whole, [len(own) - 1 for own in breaks])])
+
+
+def antiderivatives_together(values: np.ndarray, breaks: Sequence[np.ndarray]) -> np.ndarray:
+    """Values (m, DEGREE + 1, d) of the integrals from the start of each function, given as for
+    integrals_together."""
+    half = 0.5 * np.concatenate([own[1:] - own[:-1] for own in breaks])
+    whole = _combined(_INTEGRATE, values) * half[:, None, None]
+    for own in parted(whole, [len(own) - 1 for own in breaks]):
+        own[1:] += np.cumsum(own[:, -1], axis=0)[:-1, None]
+    return whole
 
 
 def span_nodes(breaks: np.ndarray) -> np.ndarray:
@@ -216,7 +264,6 @@ def resolve(
     that a kink inside a span ends in a span too short to matter.
     """
     breaks = np.asarray(breaks, float)
-    to_coefficients = np.linalg.inv(np.polynomial.chebyshev.chebvander(_NODES, DEGREE))
     done: list[tuple[float, float, np.ndarray]] = []
     pending = breaks
     spans = np.column_stack([pending[:-1], pending[1:]])
@@ -225,7 +272,7 @@ def resolve(
         nodes = middle[:, None] + half[:, None] * _NODES
         nodes[:, 0], nodes[:, -1] = spans[:, 0], spans[:, 1]
         values = function(nodes.ravel()).reshape(*nodes.shape, -1)
-        tail = np.abs(_combined(to_coefficients[-2:], values)).max(axis=(1, 2))
+        tail = np.abs(_combined(_LAST_COEFFICIENTS, values)).max(axis=(1, 2))
         good = (tail <= 20 * INTERPOLATION_RELATIVE * size) | (depth == deepest)
         done += [(a, b, v) for (a, b), v in zip(spans[good], values[good], strict=True)]
         rest = spans[~good]
@@ -238,6 +285,14 @@ def resolve(
     done.sort(key=lambda item: item[0])
     all_breaks = np.array([item[0] for item in done] + [done[-1][1]])
     return Piecewise(all_breaks, np.stack([item[2] for item in done]))
+
+
+def unresolved(functions: Sequence[Piecewise], size: float) -> list[np.ndarray]:
+    """Of functions of one width, the spans in which the last Chebyshev coefficients are larger
+    than `size`, so that the function may be elsewhere between their nodes."""
+    values = np.concatenate([function.values for function in functions])
+    tail = np.abs(_combined(_LAST_COEFFICIENTS, values)).max(axis=(1, 2))
+    return [np.flatnonzero(own > size) for own in parted(tail, [len(f.values) for f in functions])]
 
 
 def merged_breaks(*groups: np.ndarray, start: float, end: float, least: float) -> np.ndarray:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cross products and lengths of many vectors, faster on small arrays than numpy's own."""
+"""Products and lengths of many vectors, faster on small arrays than numpy's own."""
 
 from __future__ import annotations
 
@@ -24,3 +24,11 @@ def lengths(vectors: np.ndarray) -> np.ndarray:
         component = vectors[..., k]
         squares += component * component
     return np.sqrt(squares)
+
+
+def dots(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """a · b (...) of vectors (..., d)."""
+    total = a[..., 0] * b[..., 0]
+    for k in range(1, a.shape[-1]):
+        total = total + a[..., k] * b[..., k]
+    return total

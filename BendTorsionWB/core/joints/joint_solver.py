@@ -8,7 +8,7 @@ said with the rule that binds and the nearest proposal that would do.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,6 +17,7 @@ from .. import tolerances
 from ..finding import BendTorsionError, Finding, error
 from ..members.member import Member
 from .face_runs import FaceRun, face_runs
+from .stock import StockSheet, longest, sheets_for
 
 GRID_STEPS = (10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0)
 MOST_PLACES = 250
@@ -39,6 +40,21 @@ class JointRules:
     piece_end_clearance: float = 200.0
     narrowest_lane: float = 0.25
     """Of the face's width."""
+    stock: tuple[StockSheet, ...] = ()
+    """What the schedule says of it, instead of longest and widest."""
+
+    def within_stock(self, plates: Iterable[tuple[float, str]]) -> JointRules:
+        """The rules with longest and widest piece of the stock there is for all of these
+        thicknesses and grades."""
+        if not self.stock:
+            return self
+        usual = StockSheet(self.longest_piece, self.widest_piece)
+        own = [longest(sheets_for(self.stock, t, grade) or (usual,)) for t, grade in plates]
+        return replace(
+            self,
+            longest_piece=min(sheet.length for sheet in own),
+            widest_piece=min(sheet.width for sheet in own),
+        )
 
 
 KEEP_OUTS = ("diaphragm", "node", "piece_end")

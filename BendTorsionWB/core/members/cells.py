@@ -110,6 +110,12 @@ class SectionLaw:
     def length(self) -> float:
         return self.cells[-1].end
 
+    @property
+    def plate_kinds(self) -> set[tuple[float, str]]:
+        """Thickness and grade of all plates."""
+        kinds = (zip(c.thickness.tolist(), c.materials, strict=True) for c in self.cells)
+        return {(thickness, grade.name) for own in kinds for thickness, grade in own}
+
     def joints_of(self, strip: int) -> tuple[float, ...]:
         """Arc lengths between the ends at which the section asks a face to be cut."""
         own = {change.place for change in self.changes if change.strip == strip}
@@ -126,14 +132,15 @@ class SectionLaw:
     ) -> tuple[Chamfer | None, Chamfer | None]:
         """The chamfers at the two ends of a plate from start to end."""
         found: list[Chamfer | None] = [None, None]
-        both = self.strips[strip].line == 0.5
+        line = self.strips[strip].line
+        faces = "both" if line == 0.5 else "outer" if line == 1.0 else "inner"
         for change in self.changes:
             if change.strip == strip and change.chamfer:
                 side = int(change.thick_before)
                 if change.chamfer[side] == (start, end)[side]:
                     length = change.chamfer[1] - change.chamfer[0]
-                    depth = change.depth / 2 if both else change.depth
-                    found[side] = Chamfer(length, depth, "both" if both else "inner")
+                    depth = change.depth / 2 if faces == "both" else change.depth
+                    found[side] = Chamfer(length, depth, faces)
         return found[0], found[1]
 
     @cached_property

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Protocol
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -67,13 +68,17 @@ class MemberGap:
         return low <= s <= high
 
 
+_corners_of: WeakKeyDictionary[Member, dict[tuple[float, float], Piecewise]] = WeakKeyDictionary()
+"""Corner lines of members that live: asked for again and again between the same places."""
+
+
 @dataclass(frozen=True, eq=False)
 class Member:
     """A member's geometry: its name, frames by arc length, section law and what its start and its
     end are cut by; None where they are square. gaps: what nodes take of it, rising; inserts:
     diaphragms nodes put inside it, not numbered; node_records: of the nodes it ends on others at;
     rolled: s -> (1,), rad, what blends at nodes turned it by; stub_ends: field joints behind stubs,
-    mm. pieces: it is delivered in, along +s."""
+    mm. pieces: it is delivered in, along +s. root_gaps: (face, place, mm) of joints within it."""
 
     name: str
     frames: Frames
@@ -85,6 +90,7 @@ class Member:
     rolled: Piecewise | None = None
     stub_ends: tuple[float, ...] = ()
     pieces: tuple[Piece, ...] = ()
+    root_gaps: tuple[tuple[str, float, float], ...] = ()
 
     def ends_of(self, start: float, end: float) -> tuple[MemberEnd | None, MemberEnd | None]:
         """What a plate from start to end is cut by; None where it is square."""
@@ -97,13 +103,14 @@ class Member:
 
     def opened(self, face: str, start: float, end: float) -> tuple[float, float]:
         """Start and end of a plate of a face between joints, half a field gap short of the end
-        of its piece."""
-        for piece in self.pieces:
-            if piece.gap:
-                half, at = 0.5 * piece.gap, piece.end_of(face)
-                start = at + half if start == at else start
-                end = at - half if end == at else end
-        return start, end
+        of its piece, half a root gap short of its other joints."""
+        open_joints = [(p.end_of(face), p.gap) for p in self.pieces if p.gap]
+        open_joints += [(at, gap) for own, at, gap in self.root_gaps if own == face]
+        first, last = start, end
+        for at, gap in open_joints:
+            first = at + 0.5 * gap if start == at else first
+            last = at - 0.5 * gap if end == at else last
+        return first, last
 
     def piece_at(self, face: str, s: float) -> int:
         """Number of the piece a face belongs to at s; 1 without pieces."""
@@ -141,7 +148,12 @@ class Member:
 
     def corners(self, start: float, end: float) -> Piecewise:
         """All corner lines between two places: s -> (m * 3,), in the order of the section."""
+        made = _corners_of.setdefault(self, {})
+        if (start, end) not in made:
+            made[start, end] = self._corners(start, end)
+        return made[start, end]
 
+    def _corners(self, start: float, end: float) -> Piecewise:
         # Beyond its ends a member runs on as its first or last cell.
         cells = [c for c in self.law.cells if c.start < end and c.end > start]
         cells = cells or [self.law.cells[0 if end <= 0.0 else -1]]
@@ -178,7 +190,8 @@ class Member:
     def check_bend(self) -> None:
         """Raises BendTorsionError where the axis bends more sharply than the section allows."""
         for cell in self.law.cells:
-            s = np.linspace(cell.start, cell.end, 65)
+            # In every span of the frames: a bend may be far shorter than its cell.
+            s = span_nodes(self.smooth_breaks(np.array([cell.start, cell.end]))).ravel()
             at = self.frames.at(s)
             fibres = stretch(at, cell_corners(cell, s))
             if fibres.min() <= SHARPEST_BEND:

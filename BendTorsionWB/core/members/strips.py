@@ -19,12 +19,14 @@ import numpy as np
 from .. import tolerances
 from ..axes.frames import FrameStations
 from ..finding import BendTorsionError, error
-from ..geometry.piecewise import Piecewise, span_nodes
+from ..geometry.piecewise import Piecewise, span_nodes, unresolved
 from ..memo import Kept, content_hash, made_from
 from ..sections.strip_lines import Sites, crossing, edge_points, left_of, limits, own_lines
-from .member import Member, stretch
+from .member import Member
 
 RELIEF_LENGTH = 500.0
+MOST_HALVINGS = 6
+"""Of spans that do not hold a rail to tolerances.RAILS_RESOLVED."""
 LEAST_FOLD = 1e-6
 """Angle, rad, below which a strip is not folded: its mitre would be wherever rounding puts it."""
 _Arrays = TypeVar("_Arrays", FrameStations, Sites)
@@ -84,9 +86,13 @@ def rails_between(
         new.append(number)
         keys.append(key)
         cells = np.concatenate([[low], felt + 1])
-        for level in range(3):
-            blocks.append(_Block(member, mitres, (felt, level, strip), ends, cells, start, end))
-    made = _evaluated(member, blocks, [spans[number][0] for number in new])
+        levels = [
+            _Block(member, mitres, (felt, level, strip), ends, cells, start, end)
+            for level in range(3 if len(felt) else 1)
+        ]
+        # Without a fold the three surfaces are broken alike.
+        blocks += levels if len(felt) else levels * 3
+    made = _resolved(member, blocks, [spans[number][0] for number in new]) if new else []
     for k, (number, key) in enumerate(zip(new, keys, strict=True)):
         own = slice(3 * k, 3 * k + 3)
         folds = [tuple(block.edges[1:-1].tolist()) for block in blocks[own]]
@@ -133,7 +139,8 @@ class _Block:
     """The nodes of one surface of one strip: s (n,), its cell, and per edge the place on the axis
     it is taken at and its relief (n, 2)."""
 
-    def __init__(self, member: Member, mitres: _Mitres, mine, ends, cells, start, end):
+    def __init__(self, member: Member, mitres: _Mitres, mine, ends, cells, start, end, more=()):
+        self._made_from = member, mitres, mine, ends, cells, start, end
         starts = [cell.start for cell in member.law.cells]
         self.boundaries = tuple(starts[k + 1] for k in mine[0])
         places = mitres.places[mine]
@@ -153,7 +160,7 @@ class _Block:
             fades = _apart(fades)
         fades += [start + far[0]] if ends[0].any() else []
         fades += [end - far[-1]] if ends[1].any() else []
-        breaks = member.smooth_breaks(edges, fades)
+        breaks = member.smooth_breaks(edges, [*fades, *more])
         nodes = span_nodes(breaks)
         owner = np.searchsorted(edges, 0.5 * (breaks[1:] + breaks[:-1]), side="right") - 1
         self.edges, self.breaks, self.shape = edges, breaks, nodes.shape
@@ -175,6 +182,10 @@ class _Block:
         self.relief = _faded(
             self.s, owner, relieved, far, [ends[0], after[firm]], [before[firm], ends[1]]
         )
+
+    def with_breaks(self, more: Sequence[float]) -> _Block:
+        """The block with nodes between more breaks."""
+        return _Block(*self._made_from, more)
 
 
 def _apart(places: Sequence[float]) -> list[float]:
@@ -214,8 +225,34 @@ def _end_reliefs(
     return tuple(reliefs)
 
 
+def _resolved(member: Member, blocks: list[_Block], strips: Sequence[int]) -> list[Piecewise]:
+    """The rails of the blocks, three per strip. Where spans are too long for what happens in them,
+    as in a short transition of thick plates, they are halved, and the blocks replaced."""
+    made = _evaluated(member, blocks, strips)
+    pending = list(range(len(blocks)))
+    halves: list[list[float]] = [[] for _ in blocks]
+    for _ in range(MOST_HALVINGS):
+        rough = dict(
+            zip(pending, unresolved([made[k] for k in pending], tolerances.RAILS_RESOLVED))
+        )
+        pending = [k for k in pending if len(rough[k])]
+        if not pending:
+            break
+        for k in pending:
+            breaks, own = blocks[k].breaks, rough[k]
+            halves[k] += (0.5 * (breaks[own] + breaks[own + 1])).tolist()
+            blocks[k] = blocks[k].with_breaks(halves[k])
+        again = sorted({k // 3 for k in pending})
+        pending = [3 * number + level for number in again for level in range(3)]
+        better = _evaluated(member, [blocks[k] for k in pending], [strips[i] for i in again])
+        for k, rails in zip(pending, better, strict=True):
+            made[k] = rails
+    # Closed last: what a mitre leaves open is no roughness that shorter spans would mend.
+    return [_closed(own, block.edges[1:-1]) for own, block in zip(made, blocks, strict=True)]
+
+
 def _evaluated(member: Member, blocks: Sequence[_Block], strips: Sequence[int]) -> list[Piecewise]:
-    """The blocks' rails, all in one sweep; three levels per strip."""
+    """The blocks' rails, all in one sweep; three levels per strip. Open at their folds."""
     if not blocks:
         return []
     law = member.law
@@ -242,7 +279,7 @@ def _evaluated(member: Member, blocks: Sequence[_Block], strips: Sequence[int]) 
         values[:, edge] = own.origin + plane[:, :1] * own.y + plane[:, 1:] * own.z
     ends = np.cumsum(sizes)[:-1]
     return [
-        _closed(Piecewise(block.breaks, part.reshape(*block.shape, 6)), block.edges[1:-1])
+        Piecewise(block.breaks, part.reshape(*block.shape, 6))
         for block, part in zip(blocks, np.split(values, ends), strict=True)
     ]
 
@@ -331,34 +368,3 @@ def _mitres(member: Member) -> _Mitres:
     return _Mitres(
         place.reshape(shape), behind.clip(0.0).reshape(shape), before.clip(0.0).reshape(shape)
     )
-
-
-def section_integrand(member: Member, rails: StripRails) -> Piecewise:
-    """s -> (2,): A·(1 − κ·e) and A of the strip's cross-section, A in mm2; its integral is the
-    volume of a strip with ends normal to the axis (Pappus)."""
-    breaks = np.unique(np.concatenate([rails.outer.breaks, rails.inner.breaks]))
-    breaks = breaks[np.concatenate([[True], np.diff(breaks) > tolerances.SAME_STATION])]
-    nodes = span_nodes(breaks)
-    # A hair inside each span, so that both sides of a fold give their own limit.
-    inside = nodes + (nodes.mean(axis=1, keepdims=True) - nodes) * 1e-12
-    s = inside.ravel()
-    at = member.frames.at(s)
-    outer = rails.outer(s).reshape(-1, 2, 3)
-    inner = rails.inner(s).reshape(-1, 2, 3)
-    ring = np.stack([outer[:, 0], outer[:, 1], inner[:, 1], inner[:, 0]], axis=1)
-    ring = ring - at.origin[:, None]
-    plane = np.stack(
-        [(ring * at.y[:, None]).sum(axis=2), (ring * at.z[:, None]).sum(axis=2)], axis=2
-    )
-    area, centroid = _polygon(plane)
-    values = np.column_stack([area * stretch(at, centroid), area])
-    return Piecewise(breaks, values.reshape(*nodes.shape, 2))
-
-
-def _polygon(ring: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Area (n,), positive, and centroid (n, 2) of polygons (n, m, 2)."""
-    following = np.roll(ring, -1, axis=1)
-    cross = ring[:, :, 0] * following[:, :, 1] - ring[:, :, 1] * following[:, :, 0]
-    doubled = cross.sum(axis=1)
-    centroid = ((ring + following) * cross[:, :, None]).sum(axis=1) / (3.0 * doubled)[:, None]
-    return np.abs(doubled) / 2.0, centroid

@@ -59,11 +59,24 @@ class ThicknessChange:
 @dataclass(frozen=True)
 class Chamfer:
     """The chamfer at an end of a plate: its length along the axis and its depth, mm; faces: the
-    face machined, `inner`, or `both`, half the difference of thickness off each."""
+    face machined, `inner` or `outer`, or `both`, half the difference of thickness off each."""
 
     length: float
     depth: float
     faces: str = "inner"
+
+    @property
+    def slope(self) -> float:
+        """Length over depth."""
+        return self.length / self.depth
+
+    @property
+    def depths(self) -> tuple[float, float]:
+        """What it takes off the outer and off the inner face at the end of the plate, mm."""
+        return tuple(self.depth if self.faces in (face, "both") else 0.0 for face in _FACES)
+
+
+_FACES = ("outer", "inner")
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,7 +11,17 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..geometry.piecewise import Piecewise, derivatives_together, evaluate_together
+from .. import tolerances
+from ..geometry.piecewise import (
+    DEGREE,
+    Piecewise,
+    derivatives_together,
+    evaluate_together,
+    integrals_together,
+    span_nodes,
+)
+from ..geometry.vectors import dots
+from .member import Member, stretch
 from .skin import SkinPiece, values_and_rates
 from .strips import StripRails
 
@@ -146,3 +156,39 @@ def _flux(rails: np.ndarray, rates: np.ndarray) -> np.ndarray:
 def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Cross products over the last axis."""
     return a[..., [1, 2, 0]] * b[..., [2, 0, 1]] - a[..., [2, 0, 1]] * b[..., [1, 2, 0]]
+
+
+def section_integrals(member: Member, strips: Sequence[StripRails]) -> np.ndarray:
+    """∫A·(1 − κ·e)ds and ∫A·ds (k, 2) of strips, A the area of the cross-section, mm2, e its
+    centre: the first is the volume of a strip with ends normal to the axis (Pappus)."""
+    if not strips:
+        return np.empty((0, 2))
+    breaks, places = [], []
+    for rails in strips:
+        own = np.unique(np.concatenate([rails.outer.breaks, rails.inner.breaks]))
+        own = own[np.concatenate([[True], np.diff(own) > tolerances.SAME_STATION])]
+        nodes = span_nodes(own)
+        # A hair inside each span, so that both sides of a fold give their own limit.
+        places.append((nodes + (nodes.mean(axis=1, keepdims=True) - nodes) * 1e-12).ravel())
+        breaks.append(own)
+    s = np.concatenate(places)
+    at = member.frames.at(s)
+    outer, inner = (
+        np.concatenate(evaluate_together(rails, places)).reshape(-1, 2, 3)
+        for rails in ([rails.outer for rails in strips], [rails.inner for rails in strips])
+    )
+    ring = np.stack([outer[:, 0], outer[:, 1], inner[:, 1], inner[:, 0]], axis=1)
+    ring = ring - at.origin[:, None]
+    plane = np.stack([dots(ring, at.y[:, None]), dots(ring, at.z[:, None])], axis=2)
+    area, centroid = _polygon(plane)
+    values = np.stack([area * stretch(at, centroid), area], axis=1)
+    return integrals_together(values.reshape(-1, DEGREE + 1, 2), breaks)
+
+
+def _polygon(ring: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Area (n,), positive, and centroid (n, 2) of polygons (n, m, 2)."""
+    following = np.roll(ring, -1, axis=1)
+    cross = ring[:, :, 0] * following[:, :, 1] - ring[:, :, 1] * following[:, :, 0]
+    doubled = cross.sum(axis=1)
+    centroid = ((ring + following) * cross[:, :, None]).sum(axis=1) / (3.0 * doubled)[:, None]
+    return np.abs(doubled) / 2.0, centroid

@@ -10,12 +10,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..finding import Finding, error
+from ..finding import BETWEEN, Finding, error
 from ..members.member import Member
-from .node_branch import Branch, branch_at, reach
+from .node_branch import Branch, branch_at
 from .node_cut import NodeCut, node_cut, outer_lines
 from .node_faces import outer_faces
 from .node_input import NodeInput, NodeRules
+from .node_landing import reach
 
 LEAST_DEPTH = 1e-3
 """mm; branches that overlap by less do not touch."""
@@ -99,7 +100,7 @@ def cut_beside(
             findings += faults
             made[key] = branch or by_key[key]
     findings += _in_circles(through.name, [by_key[key] for key in waiting])
-    failed = {finding.object for finding in findings}
+    failed = {name for finding in findings for name in finding.objects}
     return tuple(made[k] for k in by_key if k in made and k[0] not in failed), findings
 
 
@@ -237,13 +238,12 @@ def _errors(
     return [
         error(
             code,
-            branch.member,
+            BETWEEN.join(branch.member for branch in branches),
             message,
             mend,
-            position=f"s = {branch.s_through:.0f} mm of {through}",
+            position=f"s = {branches[0].s_through:.0f} mm of {through}",
             value=value,
             limit=limit,
             unit=unit,
         )
-        for branch in branches
     ]

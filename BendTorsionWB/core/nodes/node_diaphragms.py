@@ -2,139 +2,201 @@
 """Diaphragms at a node: plane plates inside the through member that continue a branch's plates.
 
 Each lies in the plane of the mid-surface of a plate of the branch: through where it lands on both
-sides of a crossing, else tangent to it where it lands. Against walls a side is straight and keeps
-the gap over the whole thickness; other sides follow the edges of the branch's plate.
+sides of a crossing, in its own plane where it lands on an arris, else square to the face it lands
+on. Those of webs close the box; those of flanges go from wall to wall, as broad as the flange or
+from the diaphragm of one web to that of the other, which they are welded to.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..finding import Finding, note, warning
-from ..geometry.piecewise import Piecewise
-from ..geometry.vectors import crossed
+from ..finding import Finding, warning
 from ..members.member import Member
-from ..members.strips import rails_between
 from ..plates.flat_plate import FlatPlate
 from ..plates.flat_room import separation
-from ..sections.section import Material
-from .node_branch import Branch
-from .node_cut import landings
-from .node_faces import OuterFaces
+from ..sections.section import Material, Strip
+from .node_branch import Branch, up
+from .node_diaphragm_shape import (
+    Outline,
+    Plane,
+    clear_of,
+    edge_lines,
+    fitted,
+    landing_edges,
+    plane_of,
+    room_beside,
+    slant,
+    sniped,
+)
+from .node_diaphragm_sides import side_fits
 from .node_input import NodeRules
+from .node_manhole import manhole
 
 FLANGES = ("top", "bottom")
+WEBS = ("left", "right")
 MANHOLE = 0.5
-"""Diameter of the manhole in a diaphragm across the box, of its smaller clear size."""
-_SAMPLES = np.linspace(0.0, 1.0, 9)
-_PASSES = 4
+"""Diameter of a manhole, of the smaller clear size, where that is more than access asks for."""
 
 
 @dataclass(frozen=True, eq=False)
-class _Plane:
-    """A plane with its frame: origin, x across the through member, y, and normal (3,)."""
+class _Plate:
+    """A plate of a branch that goes on inside: its strip, thickness and material, where it lands,
+    and the plane it goes on in."""
 
-    origin: np.ndarray
-    x: np.ndarray
-    y: np.ndarray
-
-    @property
-    def normal(self) -> np.ndarray:
-        return crossed(self.x, self.y)
-
-    def at(self, plane: np.ndarray, height: float = 0.0) -> np.ndarray:
-        """Points (n, 3) of points (n, 2) of the plane."""
-        return self.origin + plane[:, :1] * self.x + plane[:, 1:] * self.y + height * self.normal
-
-    def flat(self, points: np.ndarray) -> np.ndarray:
-        """Points (n, 2) below points (n, 3)."""
-        away = points - self.origin
-        return np.stack([(away * self.x).sum(axis=1), (away * self.y).sum(axis=1)], axis=1)
+    strip: Strip
+    thickness: float
+    material: Material
+    edges: list[tuple[np.ndarray, np.ndarray]]
+    plane: Plane
 
 
 def node_diaphragms(
     node: str, through: Member, other: Member, branch: Branch, rules: NodeRules
 ) -> tuple[tuple[FlatPlate, ...], tuple[Finding, ...]]:
-    """The diaphragms a branch asks for, not numbered yet, and warnings for those without room.
+    """The diaphragms a branch asks for, not numbered yet, and warnings for those without room or
+    access.
 
     A flange in line with one of the through member's needs none: that one goes on as it is.
     """
-    if branch.row.diaphragms == "none":
+    asked = branch.row.diaphragms
+    if asked == "none":
         return (), ()
-    wanted = FLANGES if branch.row.diaphragms == "flanges" else ("top", "bottom", "left", "right")
-    if any(side.on_arris for side in branch.sides):
-        return (), (
-            note(
-                "node-diaphragm-arris",
-                through.name,
-                f"{other.name} lands on an arris; its plates do not go on inside",
-                "give the member diaphragms by sheet Diaphragms where they are needed",
-                position=f"{node}, s = {branch.s_through:.0f} mm",
-            ),
-        )
-    in_line = {step.face for step in branch.steps if step.in_line}
-    flats, findings = [], []
-    for index, strip in enumerate(other.law.strips):
-        if strip.face not in wanted or strip.face in in_line:
+    names = FLANGES + WEBS if asked == "flanges and webs" else FLANGES
+    in_line = {step.face for step in branch.steps if step.in_line and not step.on}
+    plates = [
+        _plate(other, branch, index)
+        for index, strip in enumerate(other.law.strips)
+        if strip.face in names and strip.face not in in_line
+    ]
+    made: dict[str, tuple[_Plate, Outline]] = {}
+    findings: list[Finding] = []
+    webs: dict[str, _Plate] = {}
+    # The flanges stop at the webs that are there.
+    for plate in sorted(plates, key=lambda own: own.strip.face in FLANGES):
+        face = plate.strip.face
+        outline, fault = _outline(node, through, other, branch, plate, webs, rules)
+        findings += fault
+        if outline is not None:
+            made[face] = plate, outline
+            if face not in FLANGES:
+                webs[face] = plate
+    flats, holes = [], {}
+    for plate in plates:
+        face = plate.strip.face
+        if face not in made:
             continue
-        made, faults = _diaphragm(node, through, other, branch, index, rules)
-        findings += faults
-        if made is not None:
-            flats.append(made)
+        _, outline = made[face]
+        contour, starts = sniped(outline, rules.snipe)
+        hole = None
+        if face not in FLANGES and outline.closes:
+            hole = _hole(plate, contour, made, rules)
+            holes[face] = hole
+        beside = {role(node, web, other.name): own.plane for web, own in webs.items()}
+        faces = branch.sides[0].cut.main.faces
+        fits = side_fits(plate.plane, faces, outline, plate.thickness, rules.wall_gap, beside)
+        flats.append(_flat(node, through, branch, plate, outline, contour, starts, fits, hole))
+    findings += _access(node, through, branch, holes, rules)
     return tuple(flats), tuple(findings)
 
 
-def _diaphragm(node, through, other, branch, index, rules):
-    strip = other.law.strips[index]
+def _plate(other: Member, branch: Branch, index: int) -> _Plate:
     cell = next(c for c in other.law.cells if branch.s <= c.end or c is other.law.cells[-1])
-    thickness, material = float(cell.thickness[index]), cell.materials[index]
-    edges = _landing_edges(other, branch, index)
-    plane = _plane(edges, branch)
-    faces = branch.sides[0].cut.main.faces
-    walls = np.array(faces.walls)
-    name = f"{node}, {strip.face} of {other.name}"
-    if strip.face in FLANGES:
-        all_faces = {own.face for own in other.law.strips}
-        with_webs = branch.row.diaphragms == "flanges and webs"
-        webs = [
-            _web_line(plane, other, branch, edge, rules)
-            if with_webs and edge in all_faces
-            else None
-            for edge in strip.edges
-        ]
-        sides = _between_two(plane, faces, branch, edges, webs)
-    else:
-        sides = _between_all(plane, faces, branch)
-    ring = _fitted(plane, faces, walls, sides, thickness, rules)
-    if ring is None:
+    edges = landing_edges(other, branch, index)
+    return _Plate(
+        other.law.strips[index],
+        float(cell.thickness[index]),
+        cell.materials[index],
+        edges,
+        plane_of(edges, branch),
+    )
+
+
+def role(node: str, face: str, other: str) -> str:
+    """What names a diaphragm of a node among the flat parts of a member."""
+    return f"{face} of {other} at {node}"
+
+
+def _outline(
+    node, through, other, branch: Branch, plate: _Plate, webs, rules
+) -> tuple[Outline | None, list[Finding]]:
+    """The outline of a diaphragm, or None, and warnings of one without room."""
+    face = plate.strip.face
+    plane, faces = plate.plane, branch.sides[0].cut.main.faces
+    name = f"{node}, {face} of {other.name}"
+    depths = {k: wall + rules.wall_gap for k, wall in enumerate(faces.walls)}
+    free = []
+    if face in FLANGES:
+        for edge, line in zip(plate.strip.edges, edge_lines(plane, plate.edges), strict=True):
+            side = None
+            if edge in webs:
+                clear = 0.5 * webs[edge].thickness + rules.wall_gap
+                stop = clear_of(plane, webs[edge].plane, clear)
+                if stop is not None:
+                    side, line = role(node, edge, other.name), stop
+            free.append((side, line))
+        # The first edge has the plate on its left, seen along +x, the second on its right.
+        (one, low), (two, high) = free
+        free = [(one, low), (two, high[::-1])]
+    outline = fitted(plane, faces, depths, free, plate.thickness)
+    if outline is None and face not in FLANGES:
+        # A web whose plane runs along the box does not close it: it goes on as broad as it is.
+        low, high = edge_lines(plane, plate.edges)
+        free = [(None, low), (None, high[::-1])]
+        outline = fitted(plane, faces, depths, free, plate.thickness)
+    if outline is None:
         return None, [_no_room(name, through, branch, 0.0, rules)]
-    room = _room(plane, faces, walls, ring, [w for w, _ in sides], thickness)
-    findings = []
-    if room < rules.access:
-        findings.append(_no_room(name, through, branch, room, rules))
-    holes, titles = _manhole(ring, strip.face)
-    frame = np.eye(4)
-    frame[:3, :3] = np.stack([plane.x, plane.y, plane.normal], axis=1)
-    frame[:3, 3] = plane.origin
-    on_wall = [w is not None for w, _ in sides]
-    outline = _sniped(ring, on_wall, rules.snipe)
-    welded = _welded(on_wall, [faces.names[w] if w is not None else "" for w, _ in sides], rules)
-    return _flat(
-        through, thickness, material, frame, outline, branch, holes, titles, welded
-    ), findings
+    sine, wall = slant(plane, faces, outline)
+    if sine < math.sin(rules.least_angle):
+        return None, [_too_flat(name, through, branch, sine, wall, rules)]
+    room = room_beside(plane, faces, outline, plate.thickness)
+    faults = [_no_room(name, through, branch, room, rules)] if room < rules.access else []
+    return outline, faults
 
 
-def _welded(on_wall: list[bool], names: list[str], rules) -> tuple[tuple[str, int], ...]:
-    """The sides of a sniped outline that lie on walls, as `FlatPlate.welded`."""
-    found, vertex = [], 0
-    for k, name in enumerate(names):
-        vertex += rules.snipe > 0.0 and on_wall[k] and on_wall[k - 1]
-        if name:
-            found.append((name, vertex))
-        vertex += 1
-    return tuple(found)
+def _hole(plate: _Plate, contour: np.ndarray, made, rules) -> tuple[np.ndarray, float] | None:
+    """The manhole of a diaphragm that closes the box, clear of the flanges that land on it."""
+    lines = []
+    for flange, _ in made.values():
+        if flange.strip.face in FLANGES:
+            found = plate.plane.line_of(flange.plane)
+            if found is not None:
+                point, normal, sine = found
+                lines.append((point, normal, 0.5 * flange.thickness / sine))
+    corners = contour[:, :2]
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    wanted = max(rules.manhole, MANHOLE * float((high - low).min()))
+    return manhole(corners, lines, rules.manhole_edge, wanted)
+
+
+def _access(node: str, through: Member, branch: Branch, holes, rules) -> list[Finding]:
+    """A warning where the manholes in a branch's diaphragms are no access."""
+    sizes = {face: 0.0 if hole is None else hole[1] for face, hole in holes.items()}
+    short = {face: size for face, size in sizes.items() if size < rules.manhole}
+    if not short:
+        return []
+    least = min(short.values())
+    edges = 2.0 * rules.manhole_edge
+    return [
+        warning(
+            "node-manhole",
+            through.name,
+            f"the manhole in the diaphragms that continue {' and '.join(short)} of "
+            f"{branch.member} is no access: it keeps {rules.manhole_edge:g} mm from edges and from "
+            "plates that land on them",
+            f"leave {up(rules.manhole + edges)} mm clear between the flanges of {branch.member}, "
+            f"or between one and the wall, and between the walls of {through.name}, or set the "
+            "diaphragms of the node to flanges",
+            position=f"{node}, s = {branch.s_through:.0f} mm",
+            value=least,
+            limit=rules.manhole,
+            unit="mm",
+        )
+    ]
 
 
 def side_by_side(
@@ -156,8 +218,8 @@ def side_by_side(
             warning(
                 "node-diaphragms-meet",
                 through.name,
-                f"a diaphragm that continues a plate of {branch.member} {what} one of another "
-                "branch",
+                f"the diaphragm that continues the {flat.role.split()[0]} of {branch.member} "
+                f"{what} one of another branch",
                 "set the diaphragms of one branch to none and give one for both by sheet "
                 "Diaphragms, or move the branches apart",
                 position=f"{node}, s = {branch.s_through:.0f} mm",
@@ -169,21 +231,71 @@ def side_by_side(
     return kept, findings
 
 
-def _flat(through, thickness, material: Material, frame, outline, branch, holes, titles, welded):
+def _flat(
+    node: str, through: Member, branch: Branch, plate: _Plate, outline, contour, starts, fits, hole
+) -> FlatPlate:
+    """The part. Its sides on walls and on other diaphragms are welded."""
+    faces = branch.sides[0].cut.main.faces
+    holes, titles = (), ()
+    if hole is not None:
+        centre, diameter = hole
+        left, right = centre - [0.5 * diameter, 0.0], centre + [0.5 * diameter, 0.0]
+        holes = (np.array([[*left, 1.0], [*right, 1.0]]),)
+        titles = (f"manhole D{diameter:.0f}",)
     return FlatPlate(
         through.name,
         "",
         "diaphragm",
         "D",
         1,
-        thickness,
-        material,
-        frame,
-        outline,
+        plate.thickness,
+        plate.material,
+        plate.plane.frame,
+        contour,
         branch.s_through,
         holes,
         titles,
-        welded,
+        tuple(
+            (faces.names[side] if isinstance(side, int) else side, start)
+            for side, start in zip(outline.sides, starts, strict=True)
+            if side is not None
+        ),
+        tuple((start, *fit) for start, fit in zip(starts, fits, strict=True) if fit is not None),
+        role=role(node, plate.strip.face, branch.member),
+    )
+
+
+def manhole_sizes(flats: Sequence[FlatPlate]) -> tuple[float, ...]:
+    """Diameters, mm, of the manholes of diaphragms."""
+    return tuple(
+        float(np.hypot(*(hole[1, :2] - hole[0, :2]))) for flat in flats for hole in flat.holes
+    )
+
+
+def worst_access(findings: Sequence[Finding]) -> list[Finding]:
+    """The findings of a node's diaphragms with one for all of them without room to be welded: the
+    one that has least, with the places of all."""
+    short = [own for own in findings if own.code == "node-diaphragm-access"]
+    if len(short) < 2:
+        return list(findings)
+    least = min(short, key=lambda own: own.value)
+    node, plate, place = least.position.split(", ", 2)
+    plates = dict.fromkeys(own.position.split(", ")[1] for own in (least, *short))
+    one = replace(least, position=f"{node}, {' and '.join(plates)}, {place}")
+    return [one, *(own for own in findings if own not in short)]
+
+
+def _too_flat(name: str, through: Member, branch: Branch, sine: float, wall: str, rules) -> Finding:
+    return warning(
+        "node-diaphragm-arris",
+        through.name,
+        f"the plane of the plate meets the {wall} wall at too small an angle to be welded: it does "
+        "not go on inside",
+        "turn the branch about its axis, or give the member a diaphragm by sheet Diaphragms",
+        position=f"{name}, s = {branch.s_through:.0f} mm",
+        value=math.degrees(math.asin(min(sine, 1.0))),
+        limit=math.degrees(rules.least_angle),
+        unit="deg",
     )
 
 
@@ -192,198 +304,10 @@ def _no_room(name: str, through: Member, branch: Branch, room: float, rules) -> 
         "node-diaphragm-access",
         through.name,
         "there is no room to weld a diaphragm that continues a plate of the branch",
-        "align the branch flush, make it lower, or set its diaphragms to none",
+        f"align the branch flush, put that plate {up(rules.access - room)} mm or more farther "
+        "inside, or set its diaphragms to none",
         position=f"{name}, s = {branch.s_through:.0f} mm",
         value=room,
         limit=rules.access,
         unit="mm",
     )
-
-
-def _landing_edges(other: Member, branch: Branch, index: int) -> list[np.ndarray]:
-    """Per side the points (3, 3) where the mid-surface of a strip lands: first edge, middle,
-    second edge."""
-    found = []
-    for side in branch.sides:
-        span = side.high - side.low + 100.0
-        low, high = max(side.low - span, 0.0), min(side.high + span, other.length)
-        mid = rails_between(other, [(index, low, high)])[0].mid
-        one, two = mid.values[..., :3], mid.values[..., 3:]
-        lines = Piecewise(mid.breaks, np.concatenate([one, 0.5 * (one + two), two], axis=2))
-        found.append(landings(side.cut.main, lines, 0.5 * (side.low + side.high))[1])
-    return found
-
-
-def _plane(edges: list[np.ndarray], branch: Branch) -> _Plane:
-    """The plane through the landings, x from the one of way -1 to that of +1."""
-    if len(edges) == 2:
-        x = edges[1][1] - edges[0][1]
-        across = sum(points[2] - points[0] for points in edges)
-        origin = 0.5 * (edges[0][1] + edges[1][1])
-    else:
-        (side,) = branch.sides
-        cut = side.cut.main
-        normal = cut.planes[int(cut.part_at(edges[0][1:2])[0])][1]
-        across = edges[0][2] - edges[0][0]
-        # Into the through member, square to the ruling.
-        x = -side.way * normal
-        origin = edges[0][1]
-    y = across / np.sqrt((across * across).sum())
-    x = x - (x * y).sum() * y
-    return _Plane(origin, x / np.sqrt((x * x).sum()), y)
-
-
-# A side of a diaphragm: the index of its wall, or None and the line (2, 2) it follows.
-_Side = tuple
-
-
-def _web_line(plane, other: Member, branch: Branch, face: str, rules) -> np.ndarray:
-    """The line (2, 2) that keeps clear of the diaphragm that continues a web of the branch."""
-    index = next(k for k, strip in enumerate(other.law.strips) if strip.face == face)
-    web = _plane(_landing_edges(other, branch, index), branch)
-    cell = next(c for c in other.law.cells if branch.s <= c.end or c is other.law.cells[-1])
-    normal = web.normal
-    off = float(((plane.origin - web.origin) * normal).sum())
-    clear = 0.5 * float(cell.thickness[index]) + rules.wall_gap
-    slope = np.array([(normal * plane.x).sum(), (normal * plane.y).sum()])
-    point = slope * ((np.copysign(clear, off) - off) / (slope * slope).sum())
-    along = np.array([-slope[1], slope[0]])
-    # Along +x, as the edges run.
-    return np.stack([point, point + along * np.sign(along[0])])
-
-
-def _between_two(plane, faces: OuterFaces, branch: Branch, edges, webs) -> list[_Side]:
-    """Sides of a diaphragm between the wall landed on and the wall across, and along the edges of
-    the branch's plate (or clear of the diaphragms of its webs), counter-clockwise from the wall
-    behind (−x)."""
-    first, last = _across(plane, faces, branch)
-    ends = [plane.flat(points) for points in edges]
-    lines = []
-    for k, web in zip((0, 2), webs, strict=True):
-        if web is not None:
-            lines.append(web)
-        elif len(ends) == 2:
-            lines.append(np.stack([ends[0][k], ends[1][k]]))
-        else:
-            lines.append(np.stack([ends[0][k], ends[0][k] + [1.0, 0.0]]))
-    return [(first, None), (None, lines[0]), (last, None), (None, lines[1][::-1])]
-
-
-def _between_all(plane, faces: OuterFaces, branch: Branch) -> list[_Side]:
-    """Sides of a diaphragm against all walls, counter-clockwise from the one behind."""
-    first, last = _across(plane, faces, branch)
-    rest = [face for face in range(len(faces.names)) if face not in (first, last)]
-    rest.sort(key=lambda face: float(faces.plane(face, branch.s_through)[1] @ plane.y))
-    return [(first, None), (rest[0], None), (last, None), (rest[-1], None)]
-
-
-def _across(plane, faces: OuterFaces, branch: Branch) -> tuple[int, int]:
-    """The walls that look along −x and along +x most."""
-    along = [
-        float(faces.plane(face, branch.s_through)[1] @ plane.x) for face in range(len(faces.names))
-    ]
-    return int(np.argmin(along)), int(np.argmax(along))
-
-
-def _fitted(plane, faces, walls, sides, thickness, rules) -> np.ndarray | None:
-    """The corners (4, 2), each where a side meets the one before, or None without room."""
-    lines = []
-    for wall, line in sides:
-        if wall is None:
-            lines.append(line)
-            continue
-        middle, _ = _wall_line(plane, faces, wall, walls[wall] + rules.wall_gap)
-        lines.append(middle)
-    for _ in range(_PASSES):
-        ring = _corners(lines)
-        if ring is None or _area(ring) <= 0.0:
-            return None
-        for k, (wall, _) in enumerate(sides):
-            if wall is not None:
-                ends = ring[k], ring[(k + 1) % len(sides)]
-                lines[k] = _keeping_clear(
-                    plane, faces, wall, walls[wall] + rules.wall_gap, ends, thickness
-                )
-    ring = _corners(lines)
-    return ring if ring is not None and _area(ring) > 0.0 else None
-
-
-def _wall_line(plane, faces, wall, depth) -> tuple[np.ndarray, np.ndarray]:
-    """The line (2, 2) in the plane at a depth behind a wall's plane, as it is near the origin."""
-    value, normal = faces.distance(wall, plane.origin[None])
-    inward = np.array([(normal[0] * plane.x).sum(), (normal[0] * plane.y).sum()])
-    size = np.sqrt((inward * inward).sum())
-    away = inward / size
-    point = away * (-(value[0] + depth) / size)
-    along = np.array([-away[1], away[0]])
-    return np.stack([point, point + along]), away
-
-
-def _keeping_clear(plane, faces, wall, depth, ends, thickness) -> np.ndarray:
-    """The line (2, 2) along a wall between two points that keeps the depth behind its outer face
-    at both sides of the diaphragm."""
-    a, b = ends
-    along = (b - a) / np.sqrt(((b - a) ** 2).sum())
-    outwards = np.array([along[1], -along[0]])
-    points = a + _SAMPLES[:, None] * (b - a)
-    room = np.full(len(_SAMPLES), np.inf)
-    for height in (-0.5 * thickness, 0.0, 0.5 * thickness):
-        value, normal = faces.distance(wall, plane.at(points, height))
-        slope = (normal * (outwards[0] * plane.x + outwards[1] * plane.y)).sum(axis=1)
-        room = np.minimum(room, -(value + depth) / slope)
-    tilt = (room[-1] - room[0]) * _SAMPLES + room[0]
-    shift = float((room - tilt).min())
-    return np.stack([a + (room[0] + shift) * outwards, b + (room[-1] + shift) * outwards])
-
-
-def _corners(lines) -> np.ndarray | None:
-    corners = []
-    for k in range(len(lines)):
-        (p, q), (r, t) = lines[k - 1], lines[k]
-        one, two = q - p, t - r
-        turn = one[0] * two[1] - one[1] * two[0]
-        if abs(turn) < 1e-9 * np.sqrt((one * one).sum() * (two * two).sum()):
-            return None
-        gap = r - p
-        corners.append(p + one * ((gap[0] * two[1] - gap[1] * two[0]) / turn))
-    return np.array(corners)
-
-
-def _area(ring: np.ndarray) -> float:
-    following = np.roll(ring, -1, axis=0)
-    return 0.5 * float((ring[:, 0] * following[:, 1] - ring[:, 1] * following[:, 0]).sum())
-
-
-def _room(plane, faces, walls, ring, own, thickness) -> float:
-    """Least distance, mm, from the diaphragm to the inner face of a wall beside it."""
-    least = np.inf
-    points = np.concatenate([plane.at(ring, h) for h in (-0.5 * thickness, 0.5 * thickness)])
-    for wall in range(len(faces.names)):
-        if wall not in own:
-            value, _ = faces.distance(wall, points)
-            least = min(least, float((-value - walls[wall]).min()))
-    return least
-
-
-def _manhole(ring: np.ndarray, face: str) -> tuple[tuple[np.ndarray, ...], tuple[str, ...]]:
-    """A round manhole in a diaphragm that closes the box."""
-    if face in FLANGES:
-        return (), ()
-    middle = ring.mean(axis=0)
-    size = np.sqrt(((np.roll(ring, -1, axis=0) - ring) ** 2).sum(axis=1))
-    radius = 0.5 * MANHOLE * float(size.min())
-    left, right = middle - [radius, 0.0], middle + [radius, 0.0]
-    return (np.array([[*left, 1.0], [*right, 1.0]]),), (f"manhole D{2.0 * radius:.0f}",)
-
-
-def _sniped(ring: np.ndarray, on_wall: list[bool], snipe: float) -> np.ndarray:
-    """The contour (m, 3), corners between two walls cut off by legs of `snipe`."""
-    points = []
-    for k in range(len(ring)):
-        if snipe > 0.0 and on_wall[k] and on_wall[k - 1]:
-            for other in (ring[k - 1], ring[(k + 1) % len(ring)]):
-                leg = other - ring[k]
-                points.append(ring[k] + leg * (snipe / np.sqrt((leg * leg).sum())))
-        else:
-            points.append(ring[k])
-    return np.column_stack([points, np.zeros(len(points))])

@@ -24,6 +24,8 @@ STRAY = 1.2
 FOOT = 1e-4
 """mm: steps of Newton below which a foot point is found: the next would be below 1e-8, and the
 distance is off by the square of it over the radius of curvature."""
+CONTINUED = 0.1
+"""Of the end spans' lengths: how far beyond the ends their polynomials are trusted."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,6 +62,17 @@ class OuterFaces:
         s = 0.5 * (self.corners.start + self.corners.end)
         return s, np.concatenate([edge(np.array([s])) for edge in self._edges])
 
+    def _continued(self, face: int, s: np.ndarray) -> np.ndarray:
+        """Edge, ruling and their rates (n, 12) at s (n,): beyond the stretch on straight lines, a
+        little after its ends, since the polynomials of the end spans leave the face soon."""
+        breaks = self.corners.breaks
+        before = breaks[0] - CONTINUED * (breaks[1] - breaks[0])
+        after = breaks[-1] + CONTINUED * (breaks[-1] - breaks[-2])
+        within = np.minimum(np.maximum(s, before), after)
+        value = self._edges[face](within)
+        value[:, :6] += (s - within)[:, None] * value[:, 6:]
+        return value
+
     def foot(self, face: int, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """s and w (n,) of the feet of points (n, 3) on a face, w from its first edge (0) to its
         second (1)."""
@@ -83,11 +96,10 @@ class OuterFaces:
         away = points - first
         s = middle + (away * rate).sum(axis=1) / (rate * rate).sum()
         w = (away * ruling).sum(axis=1) / (ruling * ruling).sum()
-        edge = self._edges[face]
         reach = self.corners.end - self.corners.start
         s = np.minimum(np.maximum(s, middle - reach), middle + reach)
         for _ in range(NEWTON_STEPS):
-            value = edge(s)
+            value = self._continued(face, s)
             ruling = value[:, 3:6]
             tangent = value[:, 6:9] + w[:, None] * value[:, 9:12]
             foot = value[:, :3] + w[:, None] * ruling
@@ -105,7 +117,7 @@ class OuterFaces:
 
     def at(self, face: int, s: np.ndarray, w: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Points and outward unit normals (n, 3) of a face at (s, w)."""
-        first, ruling, first1, ruling1 = np.split(self._edges[face](s), 4, axis=1)
+        first, ruling, first1, ruling1 = np.split(self._continued(face, s), 4, axis=1)
         normal = crossed(ruling, first1 + w[:, None] * ruling1) * self.outward
         normal /= np.sqrt((normal * normal).sum(axis=1))[:, None]
         return first + w[:, None] * ruling, normal

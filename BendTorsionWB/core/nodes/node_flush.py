@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Flushness at a node: steps and angles from a branch's outer faces to the through member's."""
+"""Flushness at a node: steps and angles from a branch's outer faces to those of what it lands on,
+at each corner the through member or another branch."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 
 import numpy as np
 
@@ -11,10 +13,11 @@ from ..finding import Finding, warning
 from ..geometry.piecewise import Piecewise
 from ..geometry.vectors import crossed
 from ..members.member import Member
-from .node_branch import Branch, Side
+from .node_branch import Branch
 from .node_cut import landings
-from .node_faces import OuterFaces, wall_thickness
+from .node_faces import OuterFaces
 from .node_input import NodeRules
+from .node_landing import Side
 from .node_record import FlangeStep
 
 ALIKE = 0.9
@@ -23,17 +26,14 @@ ALIKE = 0.9
 
 def flange_steps(through: Member, other: Member, branch: Branch) -> tuple[FlangeStep, ...]:
     """Of every face of the branch that looks the way of a face it does not land on, both edges."""
-    return tuple(
-        step for side in branch.sides for step in _of_side(through, other, side, branch.s_through)
-    )
+    return tuple(step for side in branch.sides for step in _of_side(through.name, other, side))
 
 
-def _of_side(through: Member, other: Member, side: Side, s_through: float) -> list[FlangeStep]:
+def _of_side(through: str, other: Member, side: Side) -> list[FlangeStep]:
     span = side.high - side.low + 100.0
     corners = other.corners(max(side.low - span, 0.0), min(side.high + span, other.length))
     near = 0.5 * (side.low + side.high)
-    faces, found = side.cut.main.faces, []
-    thickness = wall_thickness(through, s_through)
+    parts, found = side.cut.parts, []
     for strip in other.law.strips:
         pair = np.concatenate(
             [corners.values[..., 3 * k : 3 * k + 3] for k in (strip.first, strip.second)], axis=2
@@ -41,21 +41,28 @@ def _of_side(through: Member, other: Member, side: Side, s_through: float) -> li
         rails = Piecewise(corners.breaks, pair)
         s, points = landings(side.cut, rails, near)
         normals = _normals(rails, s, strip.inward)
-        face = _alike(faces, side, s_through, normals.mean(axis=0))
-        if face is None:
-            continue
-        step, up = faces.distance(face, points)
-        cosine = (normals * up).sum(axis=1).clip(-1.0, 1.0)
-        for k, edge in enumerate(strip.edges):
+        beside: list[tuple[OuterFaces, int, float, float] | None] = []
+        for k, part in enumerate(side.cut.part_at(points)):
+            faces = parts[part].faces
+            landing = {f for own in parts if own.faces is faces for f in own.landing}
+            beside.append(_beside(faces, landing, points[k : k + 1], normals[k]))
+        for edge, own in zip(strip.edges, beside, strict=True):
+            if own is None:
+                continue
+            faces, face, step, angle = own
+            # In line is a plate that is so at every edge that lands on the same face.
+            alike = [b[2] for b in beside if b and b[0] is faces and b[1] == face]
+            on = "" if faces.member == through else faces.member
             found.append(
                 FlangeStep(
                     side.way,
                     strip.face,
-                    faces.names[face],
+                    f"{on} {faces.names[face]}".strip(),
                     edge,
-                    float(step[k]),
-                    math.acos(float(cosine[k])),
-                    bool(np.abs(step).max() < thickness[faces.names[face]]),
+                    step,
+                    angle,
+                    max(map(abs, alike)) < faces.walls[face],
+                    on,
                 )
             )
     return found
@@ -70,11 +77,17 @@ def _normals(rails: Piecewise, s: np.ndarray, inward: int) -> np.ndarray:
     return normal / np.sqrt((normal * normal).sum(axis=1))[:, None]
 
 
-def _alike(faces: OuterFaces, side: Side, s: float, normal: np.ndarray) -> int | None:
-    """The face, not landed on, that looks along the normal."""
+def _beside(
+    faces: OuterFaces, landing: Collection[int], point: np.ndarray, normal: np.ndarray
+) -> tuple[OuterFaces, int, float, float] | None:
+    """The face, not landed on, that looks along a normal (3,), with the step, mm, from it to a
+    corner (1, 3) and the angle, rad, between them."""
     for face in range(len(faces.names)):
-        if face not in side.cut.main.landing and float(faces.plane(face, s)[1] @ normal) > ALIKE:
-            return face
+        if face not in landing:
+            step, up = faces.distance(face, point)
+            cosine = float((normal * up[0]).sum())
+            if cosine > ALIKE:
+                return faces, face, float(step[0]), math.acos(min(cosine, 1.0))
     return None
 
 
@@ -100,8 +113,8 @@ def flush_findings(node: str, through: str, branch: Branch, rules: NodeRules) ->
             warning(
                 code,
                 branch.member,
-                f"the {what} from face {worst.face} to that of {through} is too large at the "
-                f"{worst.edge} edge",
+                f"the {what} from face {worst.face} to that of {worst.on or through} is too large "
+                f"at the {worst.edge} edge",
                 "blend the node, align the branch, or turn it",
                 position=f"{node}, s = {branch.s:.0f} mm",
                 value=max(sizes) * scale,

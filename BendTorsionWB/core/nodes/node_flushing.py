@@ -34,7 +34,10 @@ def blended(
     """
     faces = {}
     for side in branch.sides:
-        in_line = [s.face for s in branch.steps if s.way == side.way and s.in_line]
+        own = [s for s in branch.steps if s.way == side.way and not s.on]
+        in_line = [s.face for s in own if s.in_line]
+        # Both edges: a blend lifts and turns the face as a whole.
+        in_line = [face for face in in_line if sum(s.face == face for s in own) == 2]
         if in_line:
             faces[side.way] = in_line[0]
     if not faces:

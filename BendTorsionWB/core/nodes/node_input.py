@@ -19,8 +19,10 @@ class NodeRules:
     left of a branch beyond a node, mm. overhang: the part of its plate's thickness that a branch
     may stand over the face it lands on. same: branches on one member nearer together make one
     node, mm. flange_step (mm) and flange_angle (rad): of branch against through flanges. gap:
-    root gap where none is given, mm. snipe, wall_gap: of diaphragms, mm. access: least room to
-    weld beside one, mm.
+    root gap where none is given, mm. widest_gap: largest root gap, mm, gap_over_thickness: over the
+    thinner plate. snipe, wall_gap: of diaphragms, mm. access: least room to
+    weld beside one, mm. manhole: least diameter that is access; manhole_edge: least plate left
+    between a manhole and the edge or a line another plate lands on, mm.
     """
 
     least_angle: float = math.radians(30.0)
@@ -32,6 +34,10 @@ class NodeRules:
     flange_step: float = 2.0
     flange_angle: float = math.radians(2.0)
     gap: float = 3.0
+    widest_gap: float = 20.0
+    gap_over_thickness: float = 2.0
+    manhole: float = 400.0
+    manhole_edge: float = 50.0
     snipe: float = 30.0
     wall_gap: float = 2.0
     access: float = 100.0

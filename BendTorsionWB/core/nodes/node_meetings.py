@@ -4,18 +4,24 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ..axes.axis_places import Crossing, crossings
-from ..finding import Finding, error
+from ..finding import BETWEEN, Finding, error
 from ..members.member import Member
-from .node_branch import crossing_angle, reach
 from .node_cut import outer_lines
 from .node_faces import outer_faces
 from .node_input import NodeInput, NodeRules
+from .node_landing import crossing_angle, reach
+
+ALMOST = 1e-6
+"""mm or rad; what is as near to its limit is at it."""
+COINCIDENT = 1.0
+"""mm; axes nowhere farther apart are the same."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,10 +35,11 @@ class Meeting:
 
 def meetings_of(
     members: Mapping[str, Member], rules: NodeRules
-) -> tuple[list[Meeting], list[Finding]]:
-    """Every meeting of two members' solids, and warnings for those that nearly touch."""
+) -> tuple[list[Meeting], list[tuple[Meeting, float]]]:
+    """Every meeting of two members' solids, and those that nearly touch with their distance, mm.
+    Of two that run along each other at less than `least_angle` only the first such approach."""
     # In the order of names, so that the same two members give the same numbers in any project.
-    names = sorted(members)
+    names = sorted(members, key=_natural)
     reaches = {name: reach(members[name]) for name in names}
     boxes = {}
     for name in names:
@@ -41,20 +48,31 @@ def meetings_of(
         sag = float(np.linalg.norm(np.diff(points, axis=0), axis=1).max())
         margin = reaches[name] + 0.25 * sag
         boxes[name] = points.min(axis=0) - margin, points.max(axis=0) + margin
-    meetings, findings = [], []
+    meetings, near = [], []
     for i, one in enumerate(names):
         for other in names[i + 1 :]:
             (low, high), (low2, high2) = boxes[one], boxes[other]
             if (low > high2 + rules.near).any() or (low2 > high + rules.near).any():
                 continue
             limit = reaches[one] + reaches[other] + rules.near
+            flat = False
             for at in crossings(members[one].frames.axis, members[other].frames.axis, limit):
+                angle = crossing_angle(members[one], members[other], at.first, at.second)
+                if flat and angle < rules.least_angle - ALMOST:
+                    continue
                 apart = _apart(members[one], members[other], at, rules.near)
                 if apart < 0.0:
                     meetings.append(Meeting(one, other, at))
-                elif apart < rules.near:
-                    findings.append(_nearly(one, other, at, apart, rules))
-    return meetings, findings
+                    flat = flat or angle < rules.least_angle - ALMOST
+                elif apart < rules.near - ALMOST:
+                    near.append((Meeting(one, other, at), apart))
+    return meetings, near
+
+
+def _natural(name: str) -> list[tuple[int, str]]:
+    """A key that puts M2 before M10."""
+    parts = re.split(r"(\d+)", name)
+    return [(int(part), "") if part.isdecimal() else (-1, part) for part in parts]
 
 
 def _apart(one: Member, other: Member, at: Crossing, near: float) -> float:
@@ -86,18 +104,26 @@ def _apart(one: Member, other: Member, at: Crossing, near: float) -> float:
     return least
 
 
-def _nearly(one: str, other: str, at: Crossing, apart: float, rules: NodeRules) -> Finding:
+def nearly(meeting: Meeting, apart: float, rules: NodeRules) -> Finding:
+    """The warning of members that pass each other `apart` mm without touching."""
+    one, other, at = meeting.one, meeting.other, meeting.at
     return Finding(
         "warning",
         "members-nearly-touch",
-        one,
+        BETWEEN.join((one, other)),
         f"s = {at.first:.0f} mm",
         apart,
         rules.near,
         "mm",
         f"{one} and {other} pass each other without touching",
-        "move one of them so that they meet or keep clear",
+        f"move one of them {_tenths(rules.near - apart)} mm or more away, or "
+        f"{_tenths(apart)} mm or more nearer, so that they meet",
     )
+
+
+def _tenths(size: float) -> str:
+    """A size in tenths that is enough."""
+    return f"{math.ceil(10.0 * (size - ALMOST)) / 10.0:.1f}"
 
 
 def resolved(
@@ -127,12 +153,11 @@ def resolved(
             [
                 error(
                     "node-twice",
-                    name,
+                    BETWEEN.join((meeting.one, meeting.other)),
                     f"several rows name the meeting of {meeting.one} and {meeting.other}",
                     "keep one of the rows, or give each its place s",
                     position=f"row {mine[1] + 1}",
                 )
-                for name in pair
             ],
         )
     if mine:
@@ -148,17 +173,15 @@ def resolved(
 
 def _unresolved(meeting: Meeting) -> list[Finding]:
     x, y, z = meeting.at.first_point
+    one, other = meeting.one, meeting.other
     return [
         error(
             "node-unresolved",
-            name,
-            f"{name} meets {with_} and nothing says which of them runs through",
+            BETWEEN.join((one, other)),
+            f"{one} meets {other} and nothing says which of them runs through",
             "give them different ranks, or a row of sheet Nodes",
-            position=f"s = {s:.0f} mm (x = {x:.0f}, y = {y:.0f}, z = {z:.0f} mm)",
-        )
-        for name, with_, s in (
-            (meeting.one, meeting.other, meeting.at.first),
-            (meeting.other, meeting.one, meeting.at.second),
+            position=f"s = {meeting.at.first:.0f} mm of {one}, {meeting.at.second:.0f} mm of "
+            f"{other} (x = {x:.0f}, y = {y:.0f}, z = {z:.0f} mm)",
         )
     ]
 
@@ -177,36 +200,58 @@ def unfit(
     """Errors of a meeting that no cut can be made for."""
     through, other = members[row.through], members[row.other]
     s, t = places_of(meeting, row)
-    both = (row.through, row.other)
+    both = BETWEEN.join((row.through, row.other))
     place = f"{row.name or 'node'}, s = {s:.0f} mm of {row.through}"
     if not through.law.sections[0].closed:
         return [
             error(
                 "node-open-section",
-                name,
+                both,
                 f"{row.through} cannot run through: its section is not closed",
                 f"let {row.other} run through",
                 position=place,
                 value=through.law.sections[0].type,
             )
-            for name in both
         ]
     angle = crossing_angle(through, other, s, t)
-    if angle < rules.least_angle:
+    if runs_on(through, other):
         return [
             error(
                 "node-angle",
-                name,
-                f"{row.through} and {row.other} meet at too small an angle",
-                "turn one of them, or end it before the node",
+                both,
+                f"the axes of {row.through} and {row.other} coincide: {row.other} is a duplicate",
+                f"delete {row.other}, or give it an axis of its own",
                 position=place,
                 value=math.degrees(angle),
                 limit=math.degrees(rules.least_angle),
                 unit="deg",
             )
-            for name in both
+        ]
+    if angle < rules.least_angle - ALMOST:
+        turn = _tenths(math.degrees(rules.least_angle - angle))
+        return [
+            error(
+                "node-angle",
+                both,
+                f"{row.through} and {row.other} meet at too small an angle",
+                f"turn one of them by {turn} degrees or more, or end it before the node",
+                position=place,
+                value=math.degrees(angle),
+                limit=math.degrees(rules.least_angle),
+                unit="deg",
+            )
         ]
     return []
+
+
+def runs_on(one: Member, other: Member) -> bool:
+    """Whether the axis of `other` is that of `one`, in either direction."""
+    length = one.length
+    if abs(length - other.length) > COINCIDENT:
+        return False
+    places = np.linspace(0.0, 1.0, 9)
+    mine, theirs = (m.frames.axis.position(places * m.length) for m in (one, other))
+    return any(bool((np.abs(mine - line) < COINCIDENT).all()) for line in (theirs, theirs[::-1]))
 
 
 def line_points(member: Member, s: float, span: float) -> np.ndarray:

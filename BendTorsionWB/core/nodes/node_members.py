@@ -14,8 +14,10 @@ from ..plates.flat_plate import FlatPlate
 from ..plates.flat_room import separation
 from .node_blend import Blend, check_blends, with_blends
 from .node_branch import Branch
-from .node_record import NodeRecord
-from .nodes import Node
+from .node_diaphragms import manhole_sizes
+from .node_reach import stub_places
+from .node_record import NodeRecord, in_order
+from .nodes import Found, Node
 
 PLACES_APART = 100.0
 """mm: places joints keep clear of lie no farther apart over the seat of a node."""
@@ -55,7 +57,7 @@ def nodes_of_member(nodes: tuple[Node, ...], member: str, length: float) -> Memb
                 if end is not None:
                     places += [end.least, end.greatest]
             if branch.row.type == "stub":
-                stubs += [branch.s + side.way * branch.row.stub_length for side in branch.sides]
+                stubs += stub_places(branch)
     return MemberNodes(
         tuple(sorted(gaps, key=lambda gap: gap.start)),
         tuple(sorted(places)),
@@ -116,10 +118,29 @@ def numbered(member: Member, others: Sequence[FlatPlate]) -> tuple[FlatPlate, ..
             for own, other in meeting
         )
     first = 1 + sum(flat.letter == "D" for flat in others)
+    marks = [f"{member.name}-D{first + k}" for k in range(len(member.inserts))]
+    by_role = {flat.role: mark for flat, mark in zip(member.inserts, marks, strict=True)}
+    faces = {strip.face for strip in member.law.strips}
     return tuple(
-        replace(flat, mark=f"{member.name}-D{number}")
-        for number, flat in enumerate(member.inserts, start=first)
+        replace(
+            flat,
+            mark=mark,
+            # One that was left out as it ran into another's is not there to be welded to.
+            welded=tuple(
+                (by_role.get(name, name), k)
+                for name, k in flat.welded
+                if name in faces or name in by_role
+            ),
+        )
+        for flat, mark in zip(member.inserts, marks, strict=True)
     )
+
+
+def node_records(found: Found, order: Sequence[str]) -> tuple[NodeRecord, ...]:
+    """Of all nodes a record for each branch, and one for each meeting that is none, by the member
+    that runs through, in this order, and the place on it."""
+    made = [_record(node, branch) for node in found.nodes for branch in node.branches]
+    return tuple(in_order((*made, *found.unmade), order))
 
 
 def _record(node: Node, branch: Branch) -> NodeRecord:
@@ -141,4 +162,5 @@ def _record(node: Node, branch: Branch) -> NodeRecord:
         branch.steps,
         len(branch.diaphragms),
         branch.limits,
+        min(manhole_sizes(branch.diaphragms), default=None),
     )

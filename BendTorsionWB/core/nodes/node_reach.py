@@ -42,25 +42,50 @@ def _cut_there(branches: Sequence[tuple[str, Branch]], name: str, landing: Branc
     return None
 
 
-def stub_findings(through: str, branch: Branch) -> list[Finding]:
-    """Errors of stubs whose field joint lies within the through member or too near to it."""
+def stub_places(branch: Branch) -> tuple[float, ...]:
+    """Places of the field joints of a branch's stubs on its axis, mm."""
+    return tuple(branch.s_node + side.way * branch.row.stub_length for side in branch.sides)
+
+
+def stub_findings(
+    through: str, branch: Branch, length: float, others: Sequence[Branch]
+) -> list[Finding]:
+    """Errors of stubs whose field joint lies within the through member or too near to it, or too
+    near to the branch's end or its next node. length: of the branch's axis, mm; others: the same
+    member at its other nodes."""
     if branch.row.type != "stub":
         return []
     reach = max(
-        side.high - branch.s if side.way > 0 else branch.s - side.low for side in branch.sides
+        side.high - branch.s_node if side.way > 0 else branch.s_node - side.low
+        for side in branch.sides
     )
+    ends = [0.0, length]
+    for other in others:
+        ends += [place for side in other.sides for place in (side.low, side.high)]
+        ends += stub_places(other) if other.row.type == "stub" else ()
+    room = min(
+        side.way * (end - branch.s_node)
+        for side in branch.sides
+        for end in ends
+        if side.way * (end - 0.5 * (side.low + side.high)) > 0.0
+    )
+    given = branch.row.stub_length
     least = 10.0 * math.ceil((reach + SHORTEST_STUB) / 10.0)
-    if branch.row.stub_length >= least:
+    most = 10.0 * math.floor((room - SHORTEST_STUB) / 10.0)
+    short = given < least
+    if not short and given <= most:
         return []
+    mend = f"make stub_length {least:.0f} mm or more"
     return [
         error(
-            "node-stub-short",
+            "node-stub-short" if short else "node-stub-long",
             branch.member,
-            f"the field joint of the stub on {through} is within {SHORTEST_STUB:g} mm of its cut",
-            f"make stub_length {least:.0f} mm or more",
+            f"the field joint of the stub on {through} is within {SHORTEST_STUB:g} mm of "
+            + ("its cut" if short else "the end of the branch or its next node"),
+            mend if short else f"make stub_length {most:.0f} mm or less, or the node direct",
             position=f"s = {branch.s_through:.0f} mm of {through}",
-            value=branch.row.stub_length,
-            limit=least,
+            value=given,
+            limit=least if short else most,
             unit="mm",
         )
     ]

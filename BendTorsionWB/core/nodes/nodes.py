@@ -14,12 +14,16 @@ from ..members.member import Member
 from .node_beside import Beside, both_pass, cut_beside
 from .node_blend import with_blends
 from .node_branch import Branch, branch_at
-from .node_diaphragms import node_diaphragms, side_by_side
+from .node_circle import circles
+from .node_diaphragms import node_diaphragms, side_by_side, worst_access
 from .node_flush import flange_steps, flush_findings
 from .node_flushing import blended
 from .node_input import NodeInput, NodeRules
 from .node_meetings import Meeting, meetings_of, places_of, resolved, unfit
+from .node_near import near_findings
 from .node_reach import stub_findings, through_findings
+from .node_record import NodeRecord
+from .node_unmade import unmade_record
 
 DEFAULT_RULES = NodeRules()
 
@@ -42,18 +46,19 @@ class Node:
         return self.through, *(branch.member for branch in self.branches)
 
 
-NO_NODE = ("node-three-through", "node-stub-short")
+NO_NODE = ("node-three-through", "node-stub-short", "node-stub-long")
 """Findings of a branch that leave it no node."""
 
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """All nodes of a project in order, what was found on the way, and the pairs of members that
-    meet, at a node or in error."""
+    """All nodes of a project in order, what was found on the way, the pairs of members that
+    meet, at a node or in error, and the records of meetings that errors leave no node."""
 
     nodes: tuple[Node, ...] = ()
     findings: tuple[Finding, ...] = ()
     met: frozenset[frozenset[str]] = frozenset()
+    unmade: tuple[NodeRecord, ...] = ()
 
     def of(self, member: str) -> tuple[Node, ...]:
         """The nodes a member takes part in."""
@@ -73,7 +78,8 @@ def find_nodes(
     N1, N2 … by the order of the members and the place on the member that runs through. Errors
     name both members; what has an error is no node.
     """
-    meetings, findings = meetings_of(members, rules)
+    meetings, near = meetings_of(members, rules)
+    findings: list[Finding] = []
     lengths = {name: member.length for name, member in members.items()}
     used: set[int] = set()
     made: list[tuple[Meeting, NodeInput | None, Branch | None, list[Finding]]] = []
@@ -88,6 +94,16 @@ def find_nodes(
             through, other = members[chosen.through], members[chosen.other]
             branch, faults = branch_at(through, other, *places_of(meeting, chosen), chosen, rules)
         made.append((meeting, chosen, branch, faults))
+    ending = [(c.through, b) for _, c, b, _ in made if b]
+    # Those that go round beside a member all end on have a node there.
+    apart = [(m, c) for m, c, _, _ in made if c and not _within_a_node(m, ending)]
+    in_circles, rounds = circles(apart, members)
+    findings += rounds
+    made = [
+        (meeting, chosen, None, []) if meeting in in_circles else (meeting, chosen, branch, faults)
+        for meeting, chosen, branch, faults in made
+    ]
+    findings += near_findings(near, [(c.through, b) for _, c, b, _ in made if b], rules)
     branches: list[tuple[str, Branch]] = []
     pairs: list[Beside] = []
     for meeting, chosen, branch, faults in made:
@@ -120,8 +136,9 @@ def find_nodes(
     ]
     findings += through_findings(branches)
     for through, branch in branches:
-        findings += stub_findings(through, branch)
-    failed = {(f.object, f.position) for f in findings if f.code in NO_NODE}
+        alike = [own for _, own in branches if own.member == branch.member and own is not branch]
+        findings += stub_findings(through, branch, lengths[branch.member], alike)
+    failed = {(name, f.position) for f in findings if f.code in NO_NODE for name in f.objects}
     branches = [
         (through, branch)
         for through, branch in branches
@@ -131,11 +148,25 @@ def find_nodes(
     nodes = [_detailed(node, members, rules, pairs, findings) for node in named]
     nodes = [node for node in nodes if node.branches]
     met = frozenset(frozenset((m.one, m.other)) for m in meetings)
-    return Found(tuple(nodes), tuple(findings), met)
+    made_of = {(node.through, b.member, b.s) for node in nodes for b in node.branches}
+    unmade = [
+        unmade_record(meeting, chosen, faults, made_of, findings, members, rules)
+        for meeting, chosen, _, faults in made
+    ]
+    found = tuple(dict.fromkeys(findings))
+    return Found(tuple(nodes), found, met, tuple(own for own in unmade if own))
+
+
+def unresolved(members: Mapping[str, Member]) -> Found:
+    """The crossings of members that nothing is said about, as errors and records of no node."""
+    found = find_nodes(members, {})
+    errors = tuple(f for f in found.findings if f.code == "node-unresolved")
+    return Found((), errors, found.met, found.unmade)
 
 
 def _in_error(row: NodeInput, findings: Sequence[Finding]) -> bool:
-    return any(f.object in (row.through, row.other) for f in findings if f.severity == "error")
+    names = {row.through, row.other}
+    return any(not names.isdisjoint(f.objects) for f in findings if f.severity == "error")
 
 
 def _detailed(
@@ -147,6 +178,7 @@ def _detailed(
 ) -> Node:
     """The node with its branches cut at each other, with their steps and diaphragms."""
     through, branches = members[node.through], []
+    inside: list[Finding] = []
     cut, faults = cut_beside(through, node.branches, members, pairs, node.name, rules)
     findings += faults
     for branch in cut:
@@ -166,9 +198,10 @@ def _detailed(
             branch = replace(branch, steps=flange_steps(through, other, branch))
         findings += flush_findings(node.name, node.through, branch, rules)
         made, faults = node_diaphragms(node.name, through, other, branch, rules)
-        findings += faults
+        inside += faults
         limits = (rules.flange_step, rules.flange_angle)
         branches.append(replace(branch, diaphragms=made, limits=limits))
+    findings += worst_access(inside)
     flats, faults = side_by_side(
         node.name, through, [(own, flat) for own in branches for flat in own.diaphragms], rules
     )
@@ -187,21 +220,16 @@ def _within_a_node(
 ) -> tuple[str, Branch, Branch] | None:
     """The member and its two branches whose node a meeting of these branches lies in."""
     for through, one in branches:
-        if one.member != meeting.one or not _takes(one, meeting.at.first):
+        if one.member != meeting.one or not one.takes(meeting.at.first):
             continue
         for other_through, other in branches:
             if (
                 other_through == through
                 and other.member == meeting.other
-                and _takes(other, meeting.at.second)
+                and other.takes(meeting.at.second)
             ):
                 return through, one, other
     return None
-
-
-def _takes(branch: Branch, place: float) -> bool:
-    low, high = branch.cut_range
-    return low <= place <= high
 
 
 def _seat_text(branch: Branch, through: str) -> str:

@@ -43,14 +43,13 @@ class FaceStrip:
 
 
 def face_strip(plates: Sequence[DevelopedPlate]) -> FaceStrip | None:
-    """The strip of the plates of one face, in any order; each is turned so that its start line
-    continues the end line of the plate before it. Of a face in lanes the first lane is taken; None
-    when no plate has two lines."""
+    """The strip of the plates of one face or lane, in any order; each is turned so that its start
+    line continues the end line of the plate before it. Lanes of a face are strips of their own;
+    None when no plate has two lines."""
     own = sorted(plates, key=lambda plate: (plate.s_start, plate.mark))
     places, firsts, seconds = [], [], []
-    reached = -np.inf
     for plate in own:
-        if plate.s_start < reached - 1.0 or len(plate.lines) < 2:
+        if len(plate.lines) < 2:
             continue
         lines = sorted(plate.lines, key=lambda line: line.s)
         first = np.array([line.flat[0] for line in lines])
@@ -60,7 +59,6 @@ def face_strip(plates: Sequence[DevelopedPlate]) -> FaceStrip | None:
         places.append(np.array([line.s for line in lines]))
         firsts.append(first)
         seconds.append(second)
-        reached = plate.s_end
     if not firsts:
         return None
     first, second = np.concatenate(firsts), np.concatenate(seconds)

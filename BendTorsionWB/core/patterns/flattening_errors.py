@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What laying plates flat costs, by kind, and where the stations of two plates miss each other."""
+"""Where the stations of two plates laid flat miss each other, and the worst errors of many."""
 
 from __future__ import annotations
 
@@ -8,76 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..flattening.development import Development, flat_area
-from ..flattening.measure import PanelSamples
-from ..geometry.piecewise import Piecewise
-from ..geometry.vectors import crossed
-from ..lofting import DevelopedPlate, FlatteningErrors, PanelMeasure, StationLine
-
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(4)
-
-
-def flattening_errors(
-    development: Development,
-    samples: PanelSamples,
-    lines: Sequence[StationLine],
-    panels: Sequence[PanelMeasure],
-) -> FlatteningErrors:
-    """Errors of one plate; those along seams need its neighbours (with_seams)."""
-    by_what: dict[str, list[float]] = {}
-    for panel in panels:
-        by_what.setdefault(panel.what, []).append(panel.flat - panel.arc)
-    edges = [each for what, each in by_what.items() if what.startswith("edge")]
-    diagonals = [each for what, each in by_what.items() if what.startswith("diagonal")]
-    flat, true = _centre_line(development, samples)
-    return FlatteningErrors(
-        edge=_largest([*(e for each in edges for e in each), *map(sum, edges)]),
-        line=_largest([line.length_flat - line.length_3d for line in lines]),
-        diagonal=_largest([e for each in diagonals for e in each]),
-        centre_line=flat - true,
-        area=flat_area(development) - curved_area(development.surface),
-    )
-
-
-def _centre_line(development: Development, samples: PanelSamples) -> tuple[float, float]:
-    """Flat and true length of the line half way between the edges, by quadrature; of a corrected
-    pattern measured between the lines."""
-    if development.correction is not None:
-        return tuple(float(lengths.sum()) for lengths in samples.edge(0.5))
-    plane, slope = development.plane.values, development.plane.derivative.values
-    angle = plane[..., 2]
-    cos, sin = np.cos(angle.copy()), np.sin(angle.copy())
-    along = cos * slope[..., 0] + sin * slope[..., 1] - 0.5 * plane[..., 3] * slope[..., 2]
-    slip = cos * slope[..., 1] - sin * slope[..., 0] + 0.5 * slope[..., 3]
-    rate = development.surface.derivative.values
-    tangent = 0.5 * (rate[..., :3] + rate[..., 3:])
-    speeds = [np.sqrt(along**2 + slip**2), np.sqrt((tangent * tangent).sum(axis=2))]
-    both = Piecewise(development.plane.breaks, np.stack(speeds, axis=2)).integral()
-    return float(both[0]), float(both[1])
-
-
-def _largest(errors: Sequence[float]) -> float:
-    """The error largest in size, with its sign."""
-    return float(max(errors, key=abs, default=0.0))
-
-
-def curved_area(rails: Piecewise) -> float:
-    """Area, mm2, of the ruled surface between rails s -> (6,), by Gauss quadrature across."""
-    value, rate = rails.values, rails.derivative.values
-    ruling = value[..., 3:] - value[..., :3]
-    first = crossed(rate[..., :3], ruling)
-    turn = crossed(rate[..., 3:], ruling) - first
-    a, b, c = (
-        (one * two).sum(axis=2) for one, two in ((first, first), (first, turn), (turn, turn))
-    )
-    width = 0.0
-    for node, weight in zip(0.5 * (_NODES + 1.0), 0.5 * _WEIGHTS, strict=True):
-        width = width + weight * np.sqrt(a + 2.0 * node * b + node * node * c)
-    return float(Piecewise(rails.breaks, width[..., None]).integral()[0])
-
-
-def _dots(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    return (a * b).sum(axis=2)
+from ..lofting import DevelopedPlate
 
 
 def with_seams(plates: Sequence[DevelopedPlate]) -> tuple[DevelopedPlate, ...]:

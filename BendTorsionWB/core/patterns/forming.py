@@ -9,16 +9,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..flattening.development import (
-    ACROSS,
-    Development,
-    SurfaceShape,
-    shape_from,
-    shape_inside,
-    strain_at_nodes,
-)
-from ..geometry.piecewise import evaluate_together
-from ..geometry.vectors import crossed
+from ..flattening.development import ACROSS, Development, strain_at_nodes
+from ..flattening.surface_shape import SurfaceShape, shape_from, shape_inside
+from ..geometry.piecewise import parted
+from ..geometry.vectors import crossed, lengths
 from ..sections.section import Material
 from .forming_record import FoldBend, FormingClass, FormingRecord, Peak, PullDown, RollLine
 
@@ -200,56 +194,55 @@ def flat_deviation(development: Development) -> float:
 
 
 def roll_lines_of(
-    development: Development,
-    places: np.ndarray,
+    places: Sequence[np.ndarray],
     rulings: np.ndarray,
-    border: Sequence[np.ndarray],
-    forward: float = 1.0,
-    rails: np.ndarray | None = None,
-) -> tuple[RollLine, ...]:
-    """Lines of least curvature through the middle of the rulings at places (n,).
+    borders: Sequence[Sequence[np.ndarray]],
+    forward: np.ndarray,
+    rails: np.ndarray,
+) -> list[tuple[RollLine, ...]]:
+    """Lines of least curvature through the middle of the rulings at places (k,) of each plate.
 
-    rulings: (n, 2, 2) their ends in the pattern. border: chains (k, 2) of points, the runs of the
-    outline and the folds, which a roll line ends at. forward: -1 in a mirrored pattern, where +s
-    lies to the left of the rulings. Radii at the ends are interpolated between the places. A
-    line whose middle lies outside the border is left out. rails: (n, 6) of the surface at the
-    places, when they are known already.
+    rulings: (n, 2, 2) their ends in the pattern, plate after plate. borders: chains (k, 2) of
+    points per plate, the runs of the outline and the folds, which a roll line ends at. forward
+    (n,): -1 in a mirrored pattern, where +s lies to the left of the rulings. rails: (n, 18) of the
+    surfaces at the places, with first and second rates. Radii at the ends are interpolated between
+    the places. A line whose middle lies outside the border is left out.
     """
-    places = np.asarray(places, float)
-    rate = development.surface.derivative
-    value = development.surface(places) if rails is None else rails
-    shape = shape_from(value, *evaluate_together([rate, rate.derivative], [places] * 2), _THREE)
+    shape = shape_from(rails[:, :6], rails[:, 6:12], rails[:, 12:], _THREE)
     bend, twist = shape.bend[:, 1], shape.twist[:, 1]
     # Principal directions of [[bend, twist], [twist, 0]]; the least lies nearest the ruling.
     skew = 0.5 * np.arctan2(np.where(bend < 0.0, 2.0, -2.0) * twist, np.abs(bend))
-    middle = rulings.mean(axis=1)
+    middle = 0.5 * (rulings[:, 0] + rulings[:, 1])
     ruling = rulings[:, 1] - rulings[:, 0]
-    ruling = ruling / np.sqrt((ruling * ruling).sum(axis=1, keepdims=True))
-    ahead = forward * np.stack([ruling[:, 1], -ruling[:, 0]], axis=1)
+    ruling = ruling / lengths(ruling)[:, None]
+    ahead = forward[:, None] * np.stack([ruling[:, 1], -ruling[:, 0]], axis=1)
     along = np.cos(skew)[:, None] * ruling + np.sin(skew)[:, None] * ahead
-    below, above, inside = _hits(middle, along, border)
-    ends = middle[:, None] + along[:, None] * np.stack([below, above], axis=1)[..., None]
-    # Along the edges +s is nearly the direction ahead: the end lies this much farther on.
-    shift = np.sin(skew)[:, None] * np.stack([below, above], axis=1)
-    sharp = np.stack(
-        [
-            np.interp(places + shift[:, 0], places, shape.sharpest[:, 0]),
-            shape.sharpest[:, 1],
-            np.interp(places + shift[:, 1], places, shape.sharpest[:, 2]),
-        ],
-        axis=1,
-    )
-    radius = np.where(sharp > 1e-12, 1.0 / np.maximum(sharp, 1e-12), np.inf)
-    return tuple(
-        RollLine(
-            f"R-{k}",
-            float(places[i]),
-            ends[i],
-            radius[i],
-            float(skew[i]),
+    counts = [len(own) for own in places]
+    below, above, inside = (
+        np.concatenate(part)
+        for part in zip(
+            *map(_hits, parted(middle, counts), parted(along, counts), borders), strict=True
         )
-        for k, i in enumerate(np.flatnonzero(inside).tolist(), start=1)
     )
+    reach = np.stack([below, above], axis=1)
+    ends = middle[:, None] + along[:, None] * reach[..., None]
+    # Along the edges +s is nearly the direction ahead: the end lies this much farther on.
+    moved = np.concatenate(places)[:, None] + np.sin(skew)[:, None] * reach
+    sharp = [shape.sharpest[:, 0].copy(), shape.sharpest[:, 1], shape.sharpest[:, 2].copy()]
+    for side in (0, 2):
+        moved_there = parted(moved[:, side // 2], counts)
+        at_edge = parted(sharp[side], counts)
+        sharp[side] = np.concatenate(list(map(np.interp, moved_there, places, at_edge)))
+    sharp = np.stack(sharp, axis=1)
+    radius = np.where(sharp > 1e-12, 1.0 / np.maximum(sharp, 1e-12), np.inf)
+    found = []
+    for own, ok, *rows in zip(
+        places, *(parted(part, counts) for part in (inside, ends, radius, skew)), strict=True
+    ):
+        given = zip(own.tolist(), rows[0], rows[1], rows[2].tolist(), strict=True)
+        kept = (row for row, good in zip(given, ok.tolist(), strict=True) if good)
+        found.append(tuple(RollLine(f"R-{k}", *row) for k, row in enumerate(kept, start=1)))
+    return found
 
 
 def _hits(

@@ -16,6 +16,7 @@ from dataclasses import dataclass, fields, is_dataclass, replace
 import numpy as np
 
 from .. import tolerances
+from ..columns import Columns
 from ..finding import BendTorsionError, error
 from ..flattening.outline_sides import Sides, sides_of
 from ..lofting import DevelopedPlate, FlatHole, GrossPattern
@@ -298,6 +299,10 @@ def _carried(value, gross: GrossPattern):
     """A value of a plate with the pattern coordinates in it mapped."""
     if isinstance(value, tuple):
         return tuple(_carried(item, gross) for item in value)
+    if isinstance(value, Columns):
+        named = zip(fields(value.kind), value.columns, strict=True)
+        columns = tuple(gross.map(own) if field.name in _FLAT else own for field, own in named)
+        return replace(value, columns=columns)
     if not is_dataclass(value):
         return value
     changes = {}

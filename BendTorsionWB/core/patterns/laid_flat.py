@@ -17,7 +17,7 @@ from .flattened_surface import SURFACES, on_surface
 from .flattening_errors import with_seams
 from .forming import FormingRules
 from .gross import Allowances, check_allowances, with_gross
-from .pattern import MODES, develop_plate
+from .pattern import MODES, develop_plates
 
 MARKING_FACES = ("inside", "outside")
 
@@ -70,10 +70,7 @@ def laid_flat(
                 )
             )
     check_allowances(given.allowances, member.name)
-    developed = [
-        develop_plate(plate, given.marking_face, given.mode, rules, given.surface)
-        for plate in plates
-    ]
+    developed = develop_plates(plates, given.marking_face, given.mode, rules, given.surface)
     developed = [with_ends(plate, own) for plate, own in zip(plates, developed, strict=True)]
     flattened = [on_surface(plate, given.surface) for plate in plates]
     developed = with_seams(with_edges(flattened, developed, member.law.strips))

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 from ..finding import BendTorsionError, error
@@ -40,6 +41,16 @@ def layer_names(lines: Iterable[str], object: str) -> dict[str, str]:
     if findings:
         raise BendTorsionError(findings)
     return names
+
+
+def lines_of(text: str) -> list[str]:
+    """The lines of one text such as `CUT_OUTER=10 MARK_TEXT=T 5`: names may have blanks."""
+    return [part for part in re.split(r"[\s;,]+(?=\w+\s*=)", text.strip()) if part]
+
+
+def named_layers(text: str) -> dict[str, str]:
+    """`layer_names` of one text."""
+    return layer_names(lines_of(text), "")
 
 
 def _fault(object: str, value: str, message: str, mend: str):

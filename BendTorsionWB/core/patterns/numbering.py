@@ -17,6 +17,7 @@ from scipy.interpolate import make_interp_spline
 from scipy.spatial import cKDTree
 
 from ..lofting import DevelopedPlate, MemberRecord
+from ..members.thickness import Chamfer
 from .gross import as_cut
 
 FLAT_EQUAL = 0.1
@@ -32,24 +33,34 @@ BEVEL_ANGLE = 0.15
 """degrees: their angles differ by no more."""
 
 _SAMPLES = 65
+_MARK_SAMPLES = 9
 
 
 @dataclass(frozen=True, eq=False)
 class _Shape:
     """What two plates are compared by: contours (k, n, 2) of the outline and the holes, about the
     middle of the plate; formed corner lines (2, n, 3) in the placing frame; bevels (k, 9): where
-    each begins and ends, about the middle, and its angles (degrees) and depths."""
+    each begins and ends, about the middle, and its angles (degrees) and depths. marks: kind and
+    text, without those that name a plate, and places (n, 2) of what is marked besides the measuring
+    lines. chamfers: at the start and the end. labels: of its lines and folds with their places
+    (2, 2), by which it is marked; faces: it is marked on, and its contour is of."""
 
     contours: tuple[np.ndarray, ...]
     formed: np.ndarray
     bevels: np.ndarray
+    marks: tuple[tuple[str, np.ndarray], ...]
+    chamfers: tuple[Chamfer | None, Chamfer | None]
+    labels: tuple[tuple[str, np.ndarray], ...]
+    faces: tuple[str, str]
 
 
 def numbered(records: Sequence[MemberRecord]) -> tuple[MemberRecord, ...]:
     """The records with `part`, `quantity` and `opposite_hand` of every plate filled in.
 
-    Equal: same thickness, grade and face kind, outline and holes, as cut, within FLAT_EQUAL (as
-    they lie or turned by half a turn), bevels, and formed corner lines within FORMED_EQUAL.
+    Equal: same thickness, grade and face kind, outline and holes, as cut, within FLAT_EQUAL,
+    bevels, chamfers, marks, and formed corner lines within FORMED_EQUAL; and marked alike: on the
+    same face, with the same lines in the same places along the same +s, since one file marks them
+    all. Parts without lines may also be equal turned by half a turn.
     """
     plates = [plate for record in records for plate in record.plates]
     parts, hands = _parts([as_cut(plate) for plate in plates])
@@ -92,7 +103,7 @@ def _parts(plates: Sequence[DevelopedPlate]) -> tuple[list[str], list[str]]:
             if _same(shape(i), shape(j)):
                 owner[i] = j
                 break
-            if mirrored[j] < 0 and _same(_mirror(shape(i)), shape(j)):
+            if mirrored[j] < 0 and _same(_mirror(shape(i)), shape(j), marked_alike=False):
                 mirrored[i], mirrored[j] = j, i
     hands = [mirrored[o] for o in owner]
     return (
@@ -125,7 +136,28 @@ def _shape_of(plate: DevelopedPlate) -> _Shape:
     middle = 0.5 * np.array([plate.length, plate.width])
     loops = [plate.outline, *(hole.runs for hole in plate.holes)]
     contours = tuple(_resampled(np.concatenate(runs)) - middle for runs in loops)
-    return _Shape(contours, _formed(plate), _bevels(plate, middle))
+    return _Shape(
+        contours,
+        _formed(plate),
+        _bevels(plate, middle),
+        _marks(plate, middle),
+        plate.chamfers,
+        tuple((line.label, line.flat - middle) for line in (*plate.lines, *plate.folds)),
+        (plate.marking_face, plate.contour_face),
+    )
+
+
+def _marks(plate: DevelopedPlate, middle: np.ndarray) -> tuple[tuple[str, np.ndarray], ...]:
+    found = []
+    for mark in plate.marks:
+        at = np.linspace(0.0, len(mark.flat) - 1.0, _MARK_SAMPLES)
+        places = np.column_stack(
+            [np.interp(at, range(len(mark.flat)), mark.flat[:, k]) for k in (0, 1)]
+        )
+        # A line bears the name of the diaphragm on it, which is another one's on its like.
+        words = mark.text if mark.kind == "text" else ""
+        found.append((f"{mark.kind} {words}", places - middle))
+    return tuple(found)
 
 
 def _bevels(plate: DevelopedPlate, middle: np.ndarray) -> np.ndarray:
@@ -186,17 +218,51 @@ def _mirror(shape: _Shape) -> _Shape:
         tuple(contour * flat for contour in shape.contours),
         shape.formed[::-1] * space,
         shape.bevels * np.array([1.0, -1.0, 1.0, -1.0, *np.ones(5)]),
+        tuple((kind, places * flat) for kind, places in shape.marks),
+        shape.chamfers,
+        tuple((label, places * flat) for label, places in shape.labels),
+        shape.faces,
     )
 
 
-def _same(one: _Shape, other: _Shape) -> bool:
-    if not any(
-        all(_near(turn * a, b) for a, b in zip(one.contours, other.contours, strict=True))
-        and _same_bevels(one.bevels * np.array([*[turn] * 4, *np.ones(5)]), other.bevels)
-        for turn in (1.0, -1.0)
-    ):
+def _turned(shape: _Shape) -> _Shape:
+    """The same plate turned by half a turn: its end at the start."""
+    return _Shape(
+        tuple(-contour for contour in shape.contours),
+        shape.formed[::-1, ::-1],
+        shape.bevels * np.array([*-np.ones(4), *np.ones(5)]),
+        tuple((kind, -places) for kind, places in shape.marks),
+        shape.chamfers[::-1],
+        tuple((label, -places) for label, places in shape.labels),
+        shape.faces,
+    )
+
+
+def _same(one: _Shape, other: _Shape, marked_alike: bool = True) -> bool:
+    if marked_alike and one.faces != other.faces:
         return False
-    return _congruent(one.formed, other.formed) or _congruent(one.formed[::-1, ::-1], other.formed)
+    return any(
+        own.chamfers == other.chamfers
+        and (not marked_alike or _same_marks(own.labels, other.labels))
+        and _near(own.contours[0], other.contours[0])
+        and all(any(_near(a, b) for b in other.contours[1:]) for a in own.contours[1:])
+        and _same_bevels(own.bevels, other.bevels)
+        and _same_marks(own.marks, other.marks)
+        and _congruent(own.formed, other.formed)
+        for own in (one, _turned(one))
+    )
+
+
+def _same_marks(a: tuple, b: tuple) -> bool:
+    """True when each mark of one plate has its like in the other, within FLAT_EQUAL."""
+    return len(a) == len(b) and all(
+        any(
+            kind == other
+            and min(np.abs(places - one).max() for one in (like, like[::-1])) <= FLAT_EQUAL
+            for other, like in b
+        )
+        for kind, places in a
+    )
 
 
 def _same_bevels(a: np.ndarray, b: np.ndarray) -> bool:

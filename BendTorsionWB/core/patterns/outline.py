@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..flattening.development import Development
+from ..flattening.developments import Developments
 from ..geometry.piecewise import parted
 from ..geometry.vectors import lengths
 from ..members.contour import EndCurves
@@ -20,18 +21,42 @@ LONGEST_OUTLINE_CHORD = 40.0
 def outline_in_plane(development: Development, plate: Plate) -> list[np.ndarray]:
     """Smooth runs, head to tail, counter-clockwise in the plane: first edge along +s, end line,
     second edge back, start line."""
-    corners = plate.line_places("mid")
+    return outlines_in_plane(Developments((development,)), [plate])[0]
+
+
+def outlines_in_plane(
+    developments: Developments, plates: Sequence[Plate]
+) -> list[list[np.ndarray]]:
+    """outline_in_plane of many plates."""
+    spans = [_spans(plate) for plate in plates]
+    probes = _along(developments, [[(*span, 33) for span in own] for own in spans])
+    counts = (_chord_counts(np.array(probes)) + 1).tolist()
+    counts = parted(counts, [len(own) for own in spans])
+    runs = _along(
+        developments,
+        [
+            [(*span, n) for span, n in zip(own, chords, strict=True)]
+            for own, chords in zip(spans, counts, strict=True)
+        ],
+    )
+    runs = parted(runs, [len(own) for own in spans])
+    return [_closed(*given) for given in zip(developments.each, plates, runs, strict=True)]
+
+
+def _spans(plate: Plate) -> list[tuple[float, float, float]]:
+    """Both edges between corners and folds: (from, to, w)."""
+    corners = plate.line_places("mid")[[0, -1]].tolist()
     spans = []
     for k in (0, 1):
-        edges = [float(corners[0, k]), *plate.rails.mid_folds, float(corners[-1, k])]
+        edges = [corners[0][k], *plate.rails.mid_folds, corners[1][k]]
         spans += [(a, b, float(k)) for a, b in zip(edges[:-1], edges[1:], strict=True)]
-    probes = _along(development, [(a, b, w, 33) for a, b, w in spans])
-    counts = _chord_counts(np.array(probes)) + 1
-    runs = _along(development, [(*span, n) for span, n in zip(spans, counts.tolist(), strict=True)])
-    forth, back = (
-        runs[: len(plate.rails.mid_folds) + 1],
-        [run[::-1] for run in reversed(runs[len(plate.rails.mid_folds) + 1 :])],
-    )
+    return spans
+
+
+def _closed(development: Development, plate: Plate, runs: Sequence[np.ndarray]) -> list[np.ndarray]:
+    """The runs of both edges with the end lines between them."""
+    smooth = len(plate.rails.mid_folds) + 1
+    forth, back = runs[:smooth], [run[::-1] for run in reversed(runs[smooth:])]
     end, start = (
         [_end_line(development, s, a, b)] if cut is None else _cut_line(development, cut, a, b)
         for s, cut, a, b in zip(
@@ -46,16 +71,19 @@ def outline_in_plane(development: Development, plate: Plate) -> list[np.ndarray]
 
 
 def _along(
-    development: Development, spans: Sequence[tuple[float, float, float, int]]
+    developments: Developments, spans: Sequence[Sequence[tuple[float, float, float, int]]]
 ) -> list[np.ndarray]:
-    """Points (n, 2) at n even places from a to b along the lines of constant w (a, b, w, n)."""
-    counts = [n for *_, n in spans]
-    a, b, w, _ = np.repeat(np.array(spans), counts, axis=0).T
+    """Points (n, 2) at n even places from a to b along the lines of constant w (a, b, w, n) of
+    each."""
+    every = [span for own in spans for span in own]
+    counts = [n for *_, n in every]
+    a, b, w, _ = np.repeat(np.array(every), counts, axis=0).T
     ends = np.cumsum(counts)
     number = np.arange(ends[-1]) - np.repeat(ends - counts, counts)
     s = a + (b - a) * (number / np.repeat(np.array(counts) - 1, counts))
     s[ends - 1] = b[ends - 1]
-    return parted(development.flat(s, w), counts)
+    places = parted(s, [sum(n for *_, n in own) for own in spans])
+    return parted(developments.flat(places, w), counts)
 
 
 def _chord_counts(points: np.ndarray) -> np.ndarray:

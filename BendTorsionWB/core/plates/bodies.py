@@ -7,14 +7,16 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from weakref import WeakKeyDictionary
 
+import numpy as np
+
 from .. import tolerances
 from ..finding import BendTorsionError, error
 from ..joints.lanes import Lane
 from ..members.contour import EndCurves, end_curves
 from ..members.contour_measure import TrimmedFigures, trimmed_figures
 from ..members.member import Member, MemberEnd
-from ..members.strips import StripRails, rails_between, section_integrand
-from ..members.volume import strip_volumes
+from ..members.strips import StripRails, rails_between
+from ..members.volume import section_integrals, strip_volumes
 
 _volume_of: WeakKeyDictionary[StripRails, float] = WeakKeyDictionary()
 """Volumes of plates that live; an edit leaves most rails as they are."""
@@ -47,11 +49,11 @@ def bodies(
         for strip, start, end in spans
     ]
     square = [span for span, at in zip(spans, ends, strict=True) if at == (None, None)]
+    whole = rails_between(member, square) if square else ()
+    _check_widths(member, square, whole)
     rails = [
         lane.cut(own)
-        for own, (strip, *_) in zip(
-            rails_between(member, square) if square else (), square, strict=True
-        )
+        for own, (strip, *_) in zip(whole, square, strict=True)
         for lane in lanes[strip]
     ]
     made = iter(map(Body, rails, _volumes(member, rails)))
@@ -62,14 +64,42 @@ def bodies(
     ]
 
 
+def _check_widths(
+    member: Member, spans: Sequence[tuple[int, float, float]], made: Sequence[StripRails]
+) -> None:
+    """Raises BendTorsionError where the faces a plate lies between leave hardly a plate, or cross:
+    the section may be wide enough and the mitres of a steep transition not."""
+    groups = [group for rails in made for group in (rails.outer, rails.inner)]
+    if not groups:
+        return
+    edges = np.concatenate([group.values.reshape(-1, 6) for group in groups])
+    places = np.concatenate([group.nodes.ravel() for group in groups])
+    widths = np.sqrt(((edges[:, 3:] - edges[:, :3]) ** 2).sum(axis=1))
+    at = int(np.argmin(widths))
+    if widths[at] >= tolerances.NARROWEST_STRIP:
+        return
+    owner = np.repeat(np.arange(len(groups)), [group.nodes.size for group in groups])[at] // 2
+    raise BendTorsionError(
+        error(
+            "strip-too-narrow",
+            member.name,
+            "the plate between its neighbours is hardly a plate",
+            "use a gentler transition, thinner neighbours or a wider section",
+            position=f"face {member.law.strips[spans[owner][0]].face}, s = {places[at]:.0f} mm",
+            value=float(widths[at]),
+            limit=tolerances.NARROWEST_STRIP,
+            unit="mm",
+        )
+    )
+
+
 def _volumes(member: Member, plates: Sequence[StripRails]) -> list[float]:
     """∫A(1 − κ·e)ds between square ends (Pappus); surface quadrature of plates that are mitred."""
     new = [rails for rails in plates if rails not in _volume_of]
     mitred = [rails for rails in new if rails.boundaries]
     _volume_of.update(zip(mitred, strip_volumes(mitred) if mitred else (), strict=True))
-    for rails in new:
-        if not rails.boundaries:
-            _volume_of[rails] = float(section_integrand(member, rails).integral()[0])
+    square = [rails for rails in new if not rails.boundaries]
+    _volume_of.update(zip(square, section_integrals(member, square)[:, 0].tolist(), strict=True))
     return [_volume_of[rails] for rails in plates]
 
 

@@ -8,11 +8,15 @@ place of the wall asks. An end plate lies outside the square end of the section,
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import replace
+
 import numpy as np
 
 from .. import tolerances
 from ..finding import BendTorsionError, error
 from ..geometry import arc_contour
+from ..lofting import WeldedSide
 from ..members.member import Member
 from ..sections.strip_lines import crossing
 from .diaphragm_input import ENDS, SLOT_LENGTH, SLOT_PITCH, SLOT_SIDE
@@ -21,6 +25,9 @@ from .hole_shape import HoleShape
 from .openings import Cut
 from .plate_places import PlateMark, nearest_places, places_along, rates, spot_at, surface_point
 from .plates import Plate
+
+WELDED_GAP = 5.0
+"""mm; a fillet bridges no wider gap (AWS D1.1 7.21.1, 3/16 in)."""
 
 _ACROSS = np.linspace(0.0, 1.0, 33)
 _HEIGHTS = np.linspace(-1.0, 1.0, 5)
@@ -45,6 +52,7 @@ class FlatPart:
         closing = row.closing
         if closing and closing.gap is not None:
             gaps = np.where([face == closing.face for face in self.walls], closing.gap, gaps)
+        self.gaps = gaps
         self.corners = self._corners(ring, gaps)
         self.contour = self._contour()
         frame = np.eye(4)
@@ -70,6 +78,7 @@ class FlatPart:
         self._check_ends()
         self.marks = [] if row.end else self._marks()
         self.cuts = self._slots() if closing and closing.kind == "slot" else []
+        self.flat = replace(self.flat, sides=tuple(self._welded(ring)))
 
     def fault(self, code, message, mend, value=None, limit=None) -> BendTorsionError:
         return BendTorsionError(
@@ -288,6 +297,30 @@ class FlatPart:
             a, b = corners[k], corners[(k + 1) % len(corners)]
             step = snipe * (b - a) / np.hypot(*(b - a))
             yield face, (a + step, b - step)
+
+    def _welded(self, ring: np.ndarray) -> Iterator[WeldedSide]:
+        """How each side is welded to its wall. An end plate is welded round the section, whose
+        outer arrises the lengths are between."""
+        closing = self.row.closing
+        sides = list(self._sides())
+        if self.row.end:
+            outer = self._corners(ring, np.zeros(len(ring))) if self.gaps.any() else self.corners
+            sides = [
+                (face, (outer[k], outer[(k + 1) % len(outer)])) for k, face in enumerate(self.walls)
+            ]
+        for (face, (a, b)), gap in zip(sides, self.gaps, strict=True):
+            length, how, room, slot = float(np.hypot(*(b - a))), "walls", 0.0, None
+            if self.row.end:
+                how, room, gap = "end", abs(float(gap)), 0.0
+            elif closing and face == closing.face:
+                length = sum(cut.shape.length for cut in self.cuts)
+                slot = next(((c.shape.length, c.shape.breadth) for c in self.cuts), None)
+                how = closing.kind
+            elif gap > WELDED_GAP:
+                how = "open"
+            if how != "weld":
+                middle = self.flat.in_model(0.5 * (a + b)[None])[0]
+                yield WeldedSide(face, length, middle, how, float(gap), room, slot)
 
     def _marks(self) -> list[tuple[int, PlateMark]]:
         """Both faces of the diaphragm on the inner faces of the walls; the first bears its mark."""

@@ -24,7 +24,11 @@ class FlatPlate:
     breadth, y along its height, z along +s, the origin on the axis and in the middle of the
     thickness. outline and holes: contours (m, 3) in that plane (x, y, bulge); hole_titles say
     what the holes are. s: on the axis. welded: (face, k) of sides of the outline, from vertex k
-    to the next, that are welded to the wall of a face.
+    to the next, that are welded to the wall of a face, or to another flat part, told by its role
+    until that has a mark; fits: (k, gap, dihedral) of those that are not square or have a gap, mm
+    along the wider face, and the smaller of the two angles, rad; sides: those of which more is
+    known. role: tells a part of a node apart
+    from the member's others.
     """
 
     member: str
@@ -40,6 +44,9 @@ class FlatPlate:
     holes: tuple[np.ndarray, ...] = ()
     hole_titles: tuple[str, ...] = ()
     welded: tuple[tuple[str, int], ...] = ()
+    fits: tuple[tuple[int, float, float], ...] = ()
+    sides: tuple[WeldedSide, ...] = ()
+    role: str = ""
 
     @property
     def area(self) -> float:
@@ -143,7 +150,7 @@ def developed_flat(flat: FlatPlate) -> DevelopedPlate:
         flat_to_placing=flat_to_placing,
         centre_of_gravity=flat.centre_of_gravity,
         painted_area=flat.area if flat.face == "end" else 0.0,
-        welded=tuple(_welded(flat, face, k) for face, k in flat.welded),
+        welded=(*(_welded(flat, face, k) for face, k in flat.welded), *flat.sides),
         holes=tuple(
             _hole(f"O-{k}", title, arc_contour.moved(hole, shift=-low))
             for k, (hole, title) in enumerate(
@@ -156,7 +163,10 @@ def developed_flat(flat: FlatPlate) -> DevelopedPlate:
 def _welded(flat: FlatPlate, face: str, k: int) -> WeldedSide:
     ends = flat.outline[[k, (k + 1) % len(flat.outline)], :2]
     length = float(np.hypot(*(ends[1] - ends[0])))
-    return WeldedSide(face, length, flat.in_model(ends.mean(axis=0)[None])[0])
+    fits = {vertex: fit for vertex, *fit in flat.fits}
+    gap, dihedral = fits.get(k, (0.0, 0.5 * np.pi))
+    middle = flat.in_model(ends.mean(axis=0)[None])[0]
+    return WeldedSide(face, length, middle, gap=gap, dihedral=dihedral)
 
 
 def _hole(label: str, title: str, contour: np.ndarray) -> FlatHole:

@@ -223,6 +223,15 @@ def _outside(member: str, plate: Plate, cut: Cut, levels: dict, count: int) -> l
             "the opening runs over the end of its plate",
             "move it, or the joint",
         )
+    at_seam = (plate.lane.first > 0.0, plate.lane.second < 1.0)
+    if not across.all() and any(at_seam):
+        over = (at_seam[0] and w.min() < 0.0) or (at_seam[1] and w.max() > 1.0)
+        if over:
+            return fault(
+                "opening-on-seam",
+                "the opening runs over the seam between two lanes of its face",
+                "set its offset so that it lies on one lane, or move the seam (Splits, lanes)",
+            )
     if not across.all():
         return fault(
             "opening-outside", "the opening leaves the face", "move it, or make it smaller"
@@ -248,6 +257,11 @@ def _outside(member: str, plate: Plate, cut: Cut, levels: dict, count: int) -> l
         mend = "move it, or the joint"
         return fault("opening-on-joint", "the opening is too close to a joint", mend, to_ends)
     if to_sides < least:
+        nearer = int(w.min() > (1.0 - w).min())
+        if at_seam[nearer]:
+            mend = "set its offset farther from the seam, or move the seam (sheet Splits, lanes)"
+            problem = "the opening is too close to the seam between two lanes of its face"
+            return fault("opening-on-seam", problem, mend, to_sides)
         mend = "move it, or make it smaller"
         return fault("opening-near-edge", "the opening is too close to an edge", mend, to_sides)
     return []

@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -21,6 +22,9 @@ from ..members.thickness import Chamfer
 from ..sections.section import Material, strips_meet
 from .bodies import bodies
 from .plate_places import PlateMark, PlateOpening
+
+SAME_GAP = 0.005
+"""mm; root gaps told twice that differ by less are one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,12 +119,14 @@ def split_plates(
     rules: JointRules | None = None,
     lanes: Mapping[str, Lanes] | None = None,
     keep_outs: Mapping[str, Sequence[float]] | None = None,
+    root_gaps: Sequence[tuple[str, float, str]] = (),
 ) -> tuple[tuple[Plate, ...], tuple[Finding, ...]]:
     """Plates of all faces in face order then along +s, and findings on their joints.
 
     joints: face -> Joints; a face without an entry is cut only where the section asks for it.
     lanes: face -> Lanes of faces divided along their length. keep_outs: arc lengths joints keep
-    clear of, by their kind (joint_solver.KEEP_OUTS).
+    clear of, by their kind (joint_solver.KEEP_OUTS). root_gaps: joint (`T1/T2`, `joints` of
+    all), root gap and row it is of, left between the plates in equal halves; the last row holds.
     Raises BendTorsionError for joints out of order or beyond the axis, plates shorter than
     SHORTEST_PLATE, and `auto` joints no rule-keeping places exist for.
     """
@@ -146,6 +152,7 @@ def split_plates(
         for index, strip in enumerate(law.strips)
         for start, end in _stretches(member, cuts[strip.face])
     ]
+    member = replace(member, root_gaps=_root_gaps(member, cuts, root_gaps))
     across = {k: lanes_between(bounds.get(s.face, (0.0, 1.0))) for k, s in enumerate(law.strips)}
     built = iter(bodies(member, spans, across))
     plates = []
@@ -191,6 +198,51 @@ def _stretches(member: Member, edges: np.ndarray) -> list[tuple[float, float]]:
     taken = {(gap.start, gap.end) for gap in member.gaps}
     pairs = zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True)
     return [pair for pair in pairs if pair not in taken]
+
+
+def _root_gaps(
+    member: Member, cuts: Mapping[str, np.ndarray], given: Sequence[tuple[str, float, str]]
+) -> tuple[tuple[str, float, float], ...]:
+    """(face, place, gap) of the joints within a member that have a root gap and no field gap.
+    Raises BendTorsionError where both are given and differ."""
+    if not given:
+        return ()
+    found, findings = [], []
+    for strip in member.law.strips:
+        fields = {piece.end_of(strip.face): piece.gap for piece in member.pieces[:-1]}
+        stretches = _stretches(member, cuts[strip.face])
+        for k, (before, behind) in enumerate(itertools.pairwise(stretches), start=1):
+            at = before[1]
+            letters = (f"{strip.letter}{k}", f"{strip.letter}{k + 1}")
+            own = [item for item in given if item[0] == "joints" or _lane_apart(item[0]) == letters]
+            _, gap, row = own[-1] if own else ("", 0.0, "")
+            field = fields.get(at, 0.0)
+            if not gap or at != behind[0]:
+                continue
+            if not field:
+                found.append((strip.face, at, gap))
+            elif abs(field - gap) > SAME_GAP:
+                findings.append(
+                    error(
+                        "root-gap-differs",
+                        member.name,
+                        f"the preparation has a root gap of {gap:g} mm, sheet Pieces leaves "
+                        f"{field:g} mm between {' and '.join(letters)}",
+                        "make them the same, or leave one of them empty: the other holds then",
+                        position=row,
+                        value=float(gap),
+                        limit=float(field),
+                        unit="mm",
+                    )
+                )
+    if findings:
+        raise BendTorsionError(findings[:1])
+    return tuple(found)
+
+
+def _lane_apart(name: str) -> tuple[str, ...]:
+    """The plates of a joint `T1a/T2a` without the letters of their lanes."""
+    return tuple(plate.rstrip("abcdefghijklmnopqrstuvwxyz") for plate in name.split("/"))
 
 
 def _clear_of_gaps(

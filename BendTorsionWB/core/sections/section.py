@@ -209,19 +209,19 @@ def box_findings(
 
 
 def size_findings(name: str, **sizes: float) -> list[Finding]:
-    """Errors of sizes that are no positive lengths."""
+    """Errors of sizes that are no lengths, or hardly any."""
     return [
         error(
             "section-size",
             name,
-            f"{key} must be a positive length",
+            f"{key} must be a length, and one that can be made",
             f"give {key} in mm",
             value=float(value),
-            limit=0.0,
+            limit=tolerances.SMALLEST_SIZE,
             unit="mm",
         )
         for key, value in sizes.items()
-        if not (np.isfinite(value) and value > 0)
+        if not (np.isfinite(value) and value >= tolerances.SMALLEST_SIZE)
     ]
 
 

@@ -3,11 +3,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from ..axes.frames import wanted_z
 from ..axes.frames_minimal import turned
 from ..finding import Finding, warning
+from ..joints.stock import StockSheet, longest, sheets_for, smallest_for
 from ..lofting import DevelopedPlate
 from ..members.member import Member
 from ..plates.plates import JointRules
@@ -17,9 +20,19 @@ from .solid_skins import corner_tubes
 
 
 def beyond_stock(plate: DevelopedPlate, rules: JointRules | None) -> list[Finding]:
-    """Warnings for a pattern longer or wider than the stock of the rules."""
+    """Warnings for a pattern longer or wider than the stock: as cut, than every sheet the schedule
+    gives; without one, than the stock of the rules."""
     if rules is None:
         return []
+    size, limits = plate, StockSheet(rules.longest_piece, rules.widest_piece)
+    sheets = sheets_for(rules.stock, plate.thickness, plate.material)
+    if sheets:
+        size = plate.gross or plate
+        if smallest_for(sheets, size.length, size.width):
+            return []
+        limits = longest([s for s in sheets if size.width <= s.width] or sheets)
+        if size.length <= limits.length:
+            limits = max(sheets, key=lambda sheet: sheet.width)
     return [
         warning(
             "beyond-stock",
@@ -31,11 +44,19 @@ def beyond_stock(plate: DevelopedPlate, rules: JointRules | None) -> list[Findin
             unit="mm",
         )
         for what, size, limit, mend in (
-            ("longer", plate.length, rules.longest_piece, "give it a joint, or order longer stock"),
-            ("wider", plate.width, rules.widest_piece, "give it a joint, or order wider stock"),
+            ("longer", size.length, limits.length, "give it a joint, or order longer stock"),
+            ("wider", size.width, limits.width, "give it a joint, or order wider stock"),
         )
         if size > limit
     ]
+
+
+def with_stock(plate: DevelopedPlate, rules: JointRules | None) -> DevelopedPlate:
+    """The plate with the smallest sheet of the schedule's stock it can be cut from."""
+    sheets = sheets_for(rules.stock, plate.thickness, plate.material) if rules else ()
+    size = plate.gross or plate
+    sheet = smallest_for(sheets, size.length, size.width)
+    return plate if sheet is None else replace(plate, stock=(sheet.length, sheet.width))
 
 
 def torsion_error(geometry: MemberGeometry) -> float:

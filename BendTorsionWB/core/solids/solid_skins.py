@@ -17,6 +17,8 @@ from ..plates.plates import Plate
 
 _skin_of: WeakKeyDictionary[StripRails, tuple[tuple[SkinPiece, ...], float]] = WeakKeyDictionary()
 """Skins of plates that live and the volumes inside; an edit leaves most rails as they are."""
+_tubes_of: WeakKeyDictionary[Member, dict[tuple[float, float], tuple]] = WeakKeyDictionary()
+"""Corner tubes of members that live."""
 
 
 def plate_skin(plate: Plate) -> tuple[SkinPiece, ...]:
@@ -72,7 +74,14 @@ def corner_tubes(
 ) -> tuple[tuple[SkinPiece, ...], ...]:
     """The corner lines between two places (None: the ends): a tube between steps, a piece of it
     between folds and ends of smooth transitions."""
-    first, last = reach or (0.0, member.length)
+    reach = reach or (0.0, member.length)
+    made = _tubes_of.setdefault(member, {})
+    if reach not in made:
+        made[reach] = _corner_tubes(member, *reach)
+    return made[reach]
+
+
+def _corner_tubes(member: Member, first: float, last: float) -> tuple[tuple[SkinPiece, ...], ...]:
     edges = [first, *_steps(member), last]
     cells = member.law.cells
     # Smooth transitions have no folds, but their curvature begins and ends abruptly.

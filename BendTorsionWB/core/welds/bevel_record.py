@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from ..members.thickness import Chamfer
+
 
 @dataclass(frozen=True)
 class EdgeBevel:
@@ -15,7 +17,8 @@ class EdgeBevel:
     first edge along it. natural: angle (rad) of the edge
     against square where no groove is cut, positive where the outer face is the wider. outer, inner:
     groove cut from that face: angle against square, positive where the face is cut back, and depth
-    mm, 0 of none.
+    mm, 0 of none, from the chamfered face where there is a chamfer: of a plate thicker than the
+    other at a joint, machined after cutting.
     """
 
     side: str
@@ -27,6 +30,7 @@ class EdgeBevel:
     natural: float
     outer: tuple[float, float] = (0.0, 0.0)
     inner: tuple[float, float] = (0.0, 0.0)
+    chamfer: Chamfer | None = None
 
     @property
     def angles(self) -> tuple[float, float, float]:
@@ -36,4 +40,17 @@ class EdgeBevel:
     @property
     def is_cut(self) -> bool:
         """False of a square edge."""
-        return bool(self.natural or self.outer[1] or self.inner[1])
+        return bool(self.natural or self.outer[1] or self.inner[1] or self.chamfer)
+
+    @property
+    def cut_depths(self) -> tuple[float, float]:
+        """Depths of the outer and the inner groove from the faces of the plate before it is
+        chamfered, mm, 0 of none."""
+        off = self.chamfer.depths if self.chamfer else (0.0, 0.0)
+        grooves = zip((self.outer[1], self.inner[1]), off, strict=True)
+        return tuple(depth + more if depth else 0.0 for depth, more in grooves)
+
+    def land(self, thickness: float) -> float:
+        """What grooves and chamfer leave of the edge of a plate of a thickness, mm."""
+        off = sum(self.chamfer.depths) if self.chamfer else 0.0
+        return thickness - self.outer[1] - self.inner[1] - off

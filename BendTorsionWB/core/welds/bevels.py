@@ -10,7 +10,7 @@ from the angle that is cut, but where it changes by a step within SHORTEST_STRET
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -74,13 +74,15 @@ def with_bevels(
         made.append(replace(plate, bevels=tuple(bevels), contour=contour))
     steep = [(p, b) for p in made for b in p.bevels if max(map(abs, b.angles)) > LARGEST_BEVEL]
     if steep:
+        rows = {weld.mark: weld.row for weld in welds}
         raise BendTorsionError(
             error(
                 "bevel-steep",
                 plate.mark,
-                f"weld {bevel.weld or 'none'} asks for an edge that cannot be cut",
+                f"weld {bevel.weld or 'none'} asks for an edge that cannot be cut: {bevel.edge} "
+                f"from {bevel.start:.0f}",
                 "give the preparation a smaller angle, or cut the other plate",
-                position=f"{bevel.edge} {bevel.start:.0f}",
+                position=_row_of(bevel, rows),
                 value=float(np.degrees(max(map(abs, bevel.angles)))),
                 limit=float(np.degrees(LARGEST_BEVEL)),
                 unit="degrees",
@@ -88,6 +90,12 @@ def with_bevels(
             for plate, bevel in steep
         )
     return tuple(made)
+
+
+def _row_of(bevel: EdgeBevel, rows: Mapping[str, int]) -> str:
+    """`edge k` of the row that prepares a bevel's weld, else the edge and where it begins."""
+    number = next((rows[mark] for mark in bevel.weld.split() if rows.get(mark)), 0)
+    return f"edge {number}" if number else f"{bevel.edge} {bevel.start:.0f}"
 
 
 def _along(plate, number: int, name: str, welds, faces, step: float) -> Iterator[EdgeBevel]:
@@ -107,13 +115,16 @@ def _along(plate, number: int, name: str, welds, faces, step: float) -> Iterator
 
 def _ends(plate: DevelopedPlate, welds, step: float) -> Iterator[EdgeBevel]:
     for weld in welds:
-        if weld.kind != "joint" or not _is_grooved(plate, weld):
+        if weld.kind != "joint":
             continue
         at_end = weld.plates[0] == plate.mark
-        # A thicker plate is as thin as the other there, by its chamfer.
-        cut = _Cut(0.0, 0.0, weld.mark, weld.prep, True, min(weld.thickness))
+        grooved = _is_grooved(plate, weld)
+        cut = _Cut(0.0, 0.0, weld.mark, weld.prep, grooved, weld.cut_thickness)
         name, line = ("end", "E-2") if at_end else ("start", "E-1")
-        yield _bevel(name, line, cut, 0.0, plate.lines[-1 if at_end else 0].length_3d, 0.0)
+        bevel = _bevel(name, line, cut, 0.0, plate.lines[-1 if at_end else 0].length_3d, 0.0)
+        bevel = replace(bevel, chamfer=plate.chamfers[at_end])
+        if bevel.is_cut:
+            yield bevel
     for parts, name, line in zip(plate.ends, ("start", "end"), ("E-1", "E-2"), strict=True):
         for part in parts:
             weld = _weld_of(part, welds)
@@ -252,7 +263,8 @@ def edge_levels(
     rise = (outer - inner) / thickness
     if bevel is None:
         return {"outer": outer, "inner": inner, "outer land": outer, "inner land": inner}
-    (outer_angle, outer_depth), (inner_angle, inner_depth) = bevel.outer, bevel.inner
+    outer_angle, inner_angle = bevel.outer[0], bevel.inner[0]
+    outer_depth, inner_depth = bevel.cut_depths
     outer_land, inner_land = outer - rise * outer_depth, inner + rise * inner_depth
     return {
         "outer": outer_land - outer_depth * np.tan(outer_angle),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Welds at nodes: of a branch's plates on the member that runs through, of diaphragms inside it.
+"""Welds at nodes: of a branch's plates on the member that runs through.
 
 The groove of a branch plate is that of the rule pack where the plate meets the face at more than
 75 degrees on the outside, and half of that angle where it meets it at less (AWS D1.1, prequalified
@@ -10,12 +10,12 @@ that its groove is open without being cut back, it is cut square behind the land
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from ..lofting import DevelopedPlate, EndPart, WeldedSide
+from ..lofting import DevelopedPlate, EndPart
 from .preps import Prep
 from .weld_record import Weld
 
@@ -25,12 +25,19 @@ SHARP = math.radians(75.0)
 _WHOLE = math.radians(1.0)
 """rad; groove angles are told in steps of this."""
 
+_ROUNDED = math.radians(0.1)
+"""rad; angles are rounded to this before they are stepped, so that ends which are the same but for
+the last digits or a slight twist have the same groove."""
+
 
 def groove(prep: Prep, part: EndPart) -> Prep:
     """The preparation of a plate's end on a face, with the node's root gap."""
-    outer = 0.5 * math.pi + float(part.bevel.min()), 0.5 * math.pi + float(part.bevel.max())
+    outer = [
+        _ROUNDED * round((0.5 * math.pi + float(bevel)) / _ROUNDED)
+        for bevel in (part.bevel.min(), part.bevel.max())
+    ]
     angle = prep.angle
-    if prep.is_cut and outer[0] < SHARP:
+    if prep.is_cut and outer[0] < SHARP - 0.5 * _ROUNDED:
         angle = min(angle, _WHOLE * math.floor(0.5 * outer[0] / _WHOLE + 1e-6))
     elif prep.is_cut:
         angle = max(angle, _WHOLE * math.ceil((outer[1] - 0.5 * math.pi) / _WHOLE - 1e-6))
@@ -52,9 +59,9 @@ def branch_welds(
                 short = plate.mark.split("-")[-1]
                 alike = [p for own in plate.ends for p in own if p.node == part.node]
                 more = f".{part.member}.{part.face}" if len(alike) > 1 else ""
-                row = next((r for r in reversed(rows) if r.where in (part.node, "nodes")), None)
-                if row is not None:
-                    used.add(row)
+                own = [r for r in rows if r.where in (part.node, "nodes")]
+                used.update(own)
+                row = own[-1] if own else None
                 place = "shop" if part.node in stubs else "field"
                 place = row.place if row and row.place else place
                 ndt = defaults.ndt_field if place == "field" else defaults.ndt_shop
@@ -76,61 +83,5 @@ def branch_welds(
                     prep,
                     place,
                     row.ndt if row and row.ndt else ndt,
+                    next((k for k, r in enumerate(rows, 1) if r is row and r.prep), 0),
                 )
-
-
-def diaphragm_welds(
-    flats: Sequence[DevelopedPlate], walls: Sequence[DevelopedPlate], defaults
-) -> Iterator[Weld]:
-    """Fillet welds on both sides of each side of a diaphragm that meets a wall."""
-    by_face: Mapping[str, list[DevelopedPlate]] = {}
-    for wall in (*walls, *flats):
-        by_face.setdefault(wall.face if wall.lines else wall.mark, []).append(wall)
-    for flat in flats:
-        for side in flat.welded:
-            wall = _nearest(by_face.get(side.face, ()), side, flat)
-            if wall is None:
-                continue
-            thin = min(flat.thickness, wall.thickness)
-            prep = replace(defaults.diaphragm, leg=math.ceil(defaults.leg * thin - 1e-9))
-            short = [plate.mark.split("-")[-1] for plate in (flat, wall)]
-            yield Weld(
-                f"{flat.member}-{short[0]}/{short[1]}",
-                flat.member,
-                flat.piece,
-                "diaphragm",
-                flat.mark.split("-")[-1],
-                (flat.mark, wall.mark),
-                flat.s_start,
-                flat.s_end,
-                side.length,
-                (flat.thickness, wall.thickness),
-                0.5 * math.pi,
-                prep,
-                "shop",
-                defaults.ndt_shop,
-            )
-
-
-def _nearest(
-    walls: Sequence[DevelopedPlate], side: WeldedSide, flat: DevelopedPlate
-) -> DevelopedPlate | None:
-    """The plate of a face whose outer edges come nearest to the middle of a side, of those that
-    reach its place along the member."""
-    own = [wall for wall in walls if wall.s_start <= flat.s_end and wall.s_end >= flat.s_start]
-    return min(own, key=lambda wall: _distance(wall, side.middle), default=None)
-
-
-def _distance(wall: DevelopedPlate, point: np.ndarray) -> float:
-    """Distance of a point from the measuring lines of a plate, from their ends at least."""
-    ends: dict[str, list[np.ndarray]] = {}
-    for place in wall.points:
-        if place.kind == "arris":
-            ends.setdefault(place.line, []).append(place.xyz)
-    least = math.inf
-    for one, two in (pair for pair in ends.values() if len(pair) == 2):
-        across = two - one
-        part = ((point - one) * across).sum() / (across * across).sum()
-        foot = one + min(max(float(part), 0.0), 1.0) * across
-        least = min(least, float(np.sqrt(((point - foot) ** 2).sum())))
-    return least

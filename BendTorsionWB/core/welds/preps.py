@@ -12,6 +12,9 @@ TYPES = ("square", "bevel", "v", "double-bevel", "double-v", "fillet", "double-f
 """Grooves by the shape of the joint: `bevel` and `double-bevel` cut one plate, `v` and `double-v`
 both; `square`, `fillet` and `double-fillet` cut none."""
 
+SLOT = "slot"
+"""Type of the weld that fills the slots of a face closed last; no row asks for it by name."""
+
 SIDES = ("outer", "inner")
 PLACES = ("shop", "field")
 
@@ -38,7 +41,11 @@ class Prep:
 
     @property
     def is_cut(self) -> bool:
-        return self.type not in ("square", "fillet", "double-fillet")
+        return self.type not in ("square", "fillet", "double-fillet", SLOT)
+
+    @property
+    def is_fillet(self) -> bool:
+        return self.type in ("fillet", "double-fillet")
 
     def depth(self, thickness: float) -> float:
         """Depth of the groove from its side, mm; of a double groove each side's."""
@@ -97,8 +104,28 @@ def prep_text(prep: Prep) -> str:
 
 
 def prep_findings(prep: Prep, thickness: float, name: str, where: str = "") -> list[Finding]:
-    """Errors, about a member, of a preparation on a plate of this thickness: no angle, a land as
-    thick as it, a backing bar where it is welded from both sides."""
+    """Errors, about a member, of a preparation on a plate of this thickness: those of
+    `own_findings`, and a land as thick as the plate."""
+    findings = own_findings(prep, name, where)
+    if prep.is_cut and prep.land >= thickness:
+        findings.append(
+            error(
+                "prep-land",
+                name,
+                f"the land of preparation {prep.name} leaves no groove in the plate",
+                "give a land smaller than the thickness, or type square",
+                value=prep.land,
+                limit=thickness,
+                position=where,
+                unit="mm",
+            )
+        )
+    return findings
+
+
+def own_findings(prep: Prep, name: str, where: str = "") -> list[Finding]:
+    """Errors of a preparation whatever the plate: no angle, a backing bar where it is welded from
+    both sides."""
     findings = []
     if prep.is_cut and not 0.0 < prep.angle < math.radians(150.0):
         findings.append(
@@ -111,19 +138,6 @@ def prep_findings(prep: Prep, thickness: float, name: str, where: str = "") -> l
                 limit=150.0,
                 position=where,
                 unit="degrees",
-            )
-        )
-    if prep.is_cut and prep.land >= thickness:
-        findings.append(
-            error(
-                "prep-land",
-                name,
-                f"the land of preparation {prep.name} leaves no groove in the plate",
-                "give a land smaller than the thickness, or type square",
-                value=prep.land,
-                limit=thickness,
-                position=where,
-                unit="mm",
             )
         )
     if prep.backing and prep.type.startswith("double"):

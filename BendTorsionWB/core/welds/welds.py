@@ -10,17 +10,22 @@ pack's defaults do.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+import math
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..finding import BendTorsionError, Finding, warning
+from ..finding import BendTorsionError, Finding, error
 from ..joints.pieces import LONGEST_GAP
 from ..lofting import DevelopedPlate, PlateEdge
 from ..sections.section import Strip
-from .node_welds import branch_welds, diaphragm_welds
-from .preps import Prep, prep_findings
+from .diaphragm_welds import diaphragm_welds, unwelded
+from .node_welds import branch_welds
+from .preps import Prep
+from .seam_corners import SeamCorner
+from .skew_diaphragms import skew_findings
+from .weld_checks import weld_faults
 from .weld_record import Weld
 
 SAME_PLACE = 0.01
@@ -33,7 +38,7 @@ SHORTEST_WELD = 1.0
 @dataclass(frozen=True)
 class EdgeTreatment:
     """One row of the Edges sheet: a seam, a joint or `joints` (all of them), a node the member ends
-    on another at or `nodes`, between two arc
+    on another at or `nodes`, a diaphragm (`D1`) or `diaphragms`, `end plates`, between two arc
     lengths (mm; with the ratio flag a part of the axis length), with preparation, place (`shop`,
     `field`) and test; None and empty for the defaults."""
 
@@ -58,8 +63,10 @@ class EdgeTreatment:
 @dataclass(frozen=True)
 class WeldDefaults:
     """Preparations of seams and joints that no row names, of branches at nodes and of diaphragms
-    there, the leg of their fillets over the thinner plate, and the step (rad) bevel angles are cut
-    in, by the rule pack."""
+    there, the leg of their fillets over the thinner plate, the step (rad) bevel angles are cut in,
+    the largest leg over the thinner plate, the widest root gap, mm and over the thinner plate, the
+    least dihedral of fillets on both sides, rad, and the largest bevel a cutting head makes, rad,
+    by the rule pack."""
 
     seam: Prep = Prep("corner", "bevel", np.radians(45.0), 6.0, 0.0)
     joint: Prep = Prep("butt", "v", np.radians(60.0), 2.0, 2.0)
@@ -69,6 +76,11 @@ class WeldDefaults:
     branch: Prep = Prep("branch", "bevel", np.radians(45.0), 2.0)
     diaphragm: Prep = Prep("diaphragm", "double-fillet")
     leg: float = 0.7
+    widest_leg: float = 1.2
+    widest_gap: float = 20.0
+    gap_over_thickness: float = 2.0
+    fillet_least_angle: float = np.radians(60.0)
+    largest_bevel: float = np.radians(52.0)
 
 
 def welds_of(
@@ -78,43 +90,80 @@ def welds_of(
     rows: Sequence[EdgeTreatment],
     defaults: WeldDefaults,
     stubs: Collection[str] = (),
+    gaps: Mapping[str, tuple[np.ndarray, np.ndarray]] | None = None,
+    corners: Mapping[str, SeamCorner] | None = None,
 ) -> tuple[tuple[Weld, ...], tuple[Finding, ...]]:
     """The welds of a member's plates, seams first then joints, those at nodes it ends on others at
-    and of diaphragms nodes put inside it, each along +s; findings name rows that apply to nothing.
+    and of diaphragms and end plates, each along +s; warnings of flat parts that are not welded.
 
-    stubs: nodes with a stub of the member. Raises BendTorsionError for preparations that do not
-    fit their plates.
+    stubs: nodes with a stub of the member. gaps: root gap of each seam along the member, which the
+    weld tells whatever its row says (`root_gaps.seam_gaps`). corners: `seam_corners.seam_corners`.
+    Raises BendTorsionError, by `edge k`, for preparations that do not fit their plates and rows
+    that apply to nothing.
     """
     order = {strip.face: k for k, strip in enumerate(strips)}
     walls = [plate for plate in plates if plate.face in order]
     used: set[EdgeTreatment] = set()
-    welds = [*_seams(walls, strips, rows, defaults, used), *_joints(walls, rows, defaults, used)]
+    welds = [*_seams(walls, strips, rows, defaults, used, gaps or {})]
+    welds += _joints(walls, rows, defaults, used)
     welds += branch_welds(walls, stubs, rows, defaults, used)
-    welds += diaphragm_welds([p for p in plates if p.face == "diaphragm"], walls, defaults)
-    numbers = {id(row.prep): k for k, row in enumerate(rows, start=1) if row.prep}
-    faults = {}
-    for weld in welds:
-        number = numbers.get(id(weld.prep))
-        where = "" if number is None else f"edge {number}"
-        for finding in prep_findings(weld.prep, min(weld.thickness), member, where):
-            faults.setdefault((finding.code, weld.prep), finding)
-    if faults:
-        raise BendTorsionError(faults.values())
-    unused = [
-        warning(
+    flats = [plate for plate in plates if plate.face in ("diaphragm", "end")]
+    welds += diaphragm_welds(flats, walls, rows, defaults, used)
+    welds = [replace(weld, prep=with_leg(weld.prep, weld.thickness, defaults)) for weld in welds]
+    faces = {plate.mark: plate.face for plate in plates}
+    faults = weld_faults(welds, flats, faces, rows, defaults, corners or {})
+    faults += [
+        _backwards(member, row, number)
+        for number, row in enumerate(rows, start=1)
+        if row.start >= row.end
+    ]
+    faults += [
+        error(
             "edge-row-unused",
             member,
             f"no weld of the member is {row.where} in that range",
-            "name a seam such as TL, a joint such as T1/T2, a node, joints or nodes for all",
+            "name a seam such as TL, a joint such as T1/T2, a node or a diaphragm, or joints, "
+            "nodes, diaphragms, end plates for all",
             position=f"edge {number}",
         )
         for number, row in enumerate(rows, start=1)
-        if row not in used
+        if row not in used and row.start < row.end
     ]
-    return tuple(welds), tuple(unused)
+    if faults:
+        raise BendTorsionError(faults)
+    return tuple(welds), (*unwelded(flats, welds), *skew_findings(flats, defaults))
 
 
-def _seams(walls, strips: Sequence[Strip], rows, defaults: WeldDefaults, used) -> Iterator[Weld]:
+def _backwards(member: str, row: EdgeTreatment, number: int) -> Finding:
+    return error(
+        "edge-row-order",
+        member,
+        f"the row of {row.where} ends before it begins, or beyond the member",
+        "write the smaller arc length in from, within the member",
+        position=f"edge {number}",
+        value=row.start,
+        limit=row.end,
+        unit="mm",
+    )
+
+
+def with_leg(prep: Prep, thickness: Sequence[float], defaults: WeldDefaults) -> Prep:
+    """The preparation with the rule pack's leg where a fillet tells none."""
+    if not prep.is_fillet or prep.leg:
+        return prep
+    return replace(prep, leg=float(math.ceil(defaults.leg * min(thickness) - 1e-9)))
+
+
+def number_of(row: EdgeTreatment | None, rows: Sequence[EdgeTreatment]) -> int:
+    """The number of the row that prepares a weld, from 1; 0 where the rule pack does."""
+    if row is None or row.prep is None:
+        return 0
+    return next(k for k, own in enumerate(rows, start=1) if own is row)
+
+
+def _seams(
+    walls, strips: Sequence[Strip], rows, defaults: WeldDefaults, used, gaps
+) -> Iterator[Weld]:
     order = {strip.face: k for k, strip in enumerate(strips)}
     stops = {
         (strip.face, stop.face)
@@ -142,9 +191,15 @@ def _seams(walls, strips: Sequence[Strip], rows, defaults: WeldDefaults, used) -
                 cut_second = (edge.neighbour, plate.face) in stops
                 pair = (beside, plate) if cut_second else (plate, beside)
                 for low, high, row in _stretches(rows, (name,), start, end, used):
+                    prep = defaults.joint if in_face else defaults.seam
+                    prep = row.prep if row and row.prep else prep
+                    if not in_face and name in gaps:
+                        prep = replace(prep, gap=_told(_mean(*gaps[name], low, high)))
                     yield Weld(
                         f"{plate.member}-{name}-{plate.mark.split('-')[-1]}/"
-                        f"{beside.mark.split('-')[-1]}" + ("" if row is None else f"@{low:.0f}"),
+                        f"{beside.mark.split('-')[-1]}"
+                        # Told from the second stretch on: no row changes the marks before it.
+                        + (f"@{math.floor(low + 0.5)}" if low > start else ""),
                         plate.member,
                         plate.piece,
                         "lane" if in_face else "seam",
@@ -155,11 +210,10 @@ def _seams(walls, strips: Sequence[Strip], rows, defaults: WeldDefaults, used) -
                         _edge_length(plate, edge, low, high),
                         (pair[0].thickness, pair[1].thickness),
                         _mean(edge.s, edge.dihedral, low, high),
-                        row.prep
-                        if row and row.prep
-                        else (defaults.joint if in_face else defaults.seam),
+                        prep,
                         row.place if row and row.place else "shop",
                         row.ndt if row and row.ndt else defaults.ndt_shop,
+                        number_of(row, rows),
                     )
 
 
@@ -171,12 +225,18 @@ def _joints(walls, rows, defaults: WeldDefaults, used) -> Iterator[Weld]:
                 continue
             if not _meet(one, two) or not one.lines or not two.lines:
                 continue
+            if any(_between(plate, one, two) for plate in walls):
+                continue
             short = [mark.split("-")[-1] for mark in (one.mark, two.mark)]
             name = "/".join(short)
             field = one.piece != two.piece
-            row = next((r for r in rows if r.where in (name, "joints")), None)
-            if row is not None:
-                used.add(row)
+            own = [r for r in rows if r.where in (name, "joints")]
+            used.update(own)
+            row = own[-1] if own else None
+            prep = row.prep if row and row.prep else defaults.joint
+            apart = two.s_start - one.s_end
+            if apart > SAME_PLACE:
+                prep = replace(prep, gap=_told(apart))
             yield Weld(
                 f"{one.member}-{name}",
                 one.member,
@@ -189,21 +249,26 @@ def _joints(walls, rows, defaults: WeldDefaults, used) -> Iterator[Weld]:
                 one.lines[-1].length_3d,
                 (one.thickness, two.thickness),
                 float(np.pi),
-                row.prep if row and row.prep else defaults.joint,
+                prep,
                 row.place if row and row.place else ("field" if field else "shop"),
                 row.ndt
                 if row and row.ndt
                 else (defaults.ndt_field if field else defaults.ndt_shop),
+                number_of(row, rows),
             )
 
 
 def _meet(one: DevelopedPlate, two: DevelopedPlate) -> bool:
-    """Whether `two` begins where `one` ends, or across the field gap between their pieces."""
+    """Whether `two` begins where `one` ends, or across the gap of their joint."""
     apart = two.s_start - one.s_end
-    if one.piece == two.piece:
-        return abs(apart) < SAME_PLACE
     across = apart <= LONGEST_GAP and not one.ends[1] and not two.ends[0]
     return -SAME_PLACE < apart and (apart < SAME_PLACE or across)
+
+
+def _between(plate: DevelopedPlate, one: DevelopedPlate, two: DevelopedPlate) -> bool:
+    """Whether a plate of the face of two others lies between them, however short."""
+    within = plate.s_start >= one.s_end - SAME_PLACE and plate.s_end <= two.s_start + SAME_PLACE
+    return plate.face == one.face and within
 
 
 def _stretches(
@@ -212,6 +277,7 @@ def _stretches(
     """The stretch from start to end cut where rows begin and end; of two rows the later one
     holds."""
     own = [row for row in rows if row.where in names and row.start < end and row.end > start]
+    used.update(own)
     places = sorted({start, end, *(min(max(p, start), end) for r in own for p in (r.start, r.end))})
     out = []
     for low, high in zip(places[:-1], places[1:], strict=True):
@@ -219,10 +285,13 @@ def _stretches(
             continue
         middle = 0.5 * (low + high)
         row = next((r for r in reversed(own) if r.start <= middle <= r.end), None)
-        if row is not None:
-            used.add(row)
         out.append((low, high, row))
     return out
+
+
+def _told(gap: float) -> float:
+    """A gap measured, as it is told, mm."""
+    return round(float(gap), 3)
 
 
 def _edge_length(plate: DevelopedPlate, edge: PlateEdge, low: float, high: float) -> float:

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Members that nearly touch: told where they are there, and not where a node has cut them away."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ..finding import BETWEEN, Finding, warning
+from .node_branch import Branch, up
+from .node_input import NodeRules
+from .node_meetings import Meeting, nearly
+
+
+def near_findings(
+    near: Sequence[tuple[Meeting, float]],
+    branches: Sequence[tuple[str, Branch]],
+    rules: NodeRules,
+) -> list[Finding]:
+    """A warning for each approach of two members nearer than `near`. Of two branches that approach
+    within the member both end on, one only where they land so near to each other that the welds
+    between them cannot be reached. branches: with the member that runs through."""
+    findings = []
+    for meeting, apart in near:
+        both = _within(meeting, branches)
+        if both is None:
+            findings.append(nearly(meeting, apart, rules))
+            continue
+        through, one, other = both
+        room = max(one.seat[0] - other.seat[1], other.seat[0] - one.seat[1])
+        if set(one.sides[0].faces).isdisjoint(other.sides[0].faces) or room >= rules.access:
+            continue
+        findings.append(
+            warning(
+                "node-branches-near",
+                BETWEEN.join((one.member, other.member)),
+                f"{one.member} and {other.member} land so near to each other on {through} that "
+                "the welds that face each other cannot be reached",
+                f"move one of them {up(rules.access - room)} mm or more away along {through}, or "
+                "weld the first all round before the second is set",
+                position=f"s = {one.s_through:.0f} mm of {through}",
+                value=room,
+                limit=rules.access,
+                unit="mm",
+            )
+        )
+    # Where two run side by side, what is to be done at the node is done along them.
+    side_by_side = {own.objects for own in findings if own.code == "node-branches-near"}
+    return [
+        own
+        for own in findings
+        if own.code == "node-branches-near" or own.objects not in side_by_side
+    ]
+
+
+def _within(
+    meeting: Meeting, branches: Sequence[tuple[str, Branch]]
+) -> tuple[str, Branch, Branch] | None:
+    """The member that runs through and the two branches an approach is cut away of."""
+    for through, one in branches:
+        for on, other in branches:
+            if (
+                on == through
+                and (one.member, other.member) == (meeting.one, meeting.other)
+                and one.takes(meeting.at.first)
+                and other.takes(meeting.at.second)
+            ):
+                return through, one, other
+    return None
