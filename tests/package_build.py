@@ -20,6 +20,7 @@ def book_with_settings(path):
     page = book.create_sheet("Edges")
     page.append(["member", "seam", "from", "to", "prep"])
     page.append(["M1", "TL", 0, "50%", "bevel angle=40 land=4 gap=4 backing=30x6"])
+    page.append(["M1", "TL", "50%", "100%", "bevel angle=40 land=2 gap=4"])
     book.save(path)
     return path
 

@@ -279,7 +279,7 @@ def test_nc1_drills_circles_and_cuts_the_rest(built):
 
 
 def test_nc1_of_a_plate_made_by_hand():
-    """A slanted text keeps its angle; an arc's radius is negative clockwise."""
+    """A slanted text keeps its angle and place; an arc's radius is negative clockwise."""
     slot = rounded_rectangle(200.0, 80.0, 40.0) + [500.0, 300.0, 0.0]
     hole = FlatHole("O-1", "slot 200x80", arc_contour.runs(slot), None, arc_contour.area(slot))
     text = FlatMark("text", "UP", np.array([[600.0, 100.0], [610.0, 110.0]]))
@@ -287,7 +287,10 @@ def test_nc1_of_a_plate_made_by_hand():
     assert {row[2] for row in contour(blocks["IK"])} <= {0.0, -40.0}
     # x, y, angle, height, text.
     words = next(row for _, row in blocks["SI"] if row.endswith("UP")).replace("u", " ").split()
-    assert words == ["600.00", "100.00", "45.00", "12", "UP"]
+    assert words[2:] == ["45.00", "12", "UP"]
+    # About its place: upright, the middle of a text lies half its height above its lower edge.
+    across = (np.array([float(words[0]), float(words[1])]) - [600.0, 100.0]) @ [-1.0, 1.0]
+    assert across / math.sqrt(2.0) == pytest.approx(-6.0, abs=0.01)
 
 
 def test_sheets_show_them(built):
