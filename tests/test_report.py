@@ -19,9 +19,9 @@ MEMBER_KEYS = (
 PLATE_KEYS = (
     "mark part face piece thickness_mm area_mm2 mass_kg length_mm width_mm length_error_max_mm "
     "length_error_rms_mm length_error_bound_mm strain_max forming dxf nc1 "
-    "centre_of_gravity_mm painted_area_mm2 material chamfers gross_length_mm gross_width_mm gross_area_mm2 "
-    "gross_mass_kg edge_error_mm line_error_mm diagonal_error_mm centre_line_error_mm "
-    "area_error_mm2 seam_mismatch_mm locked_in_stress_mpa"
+    "centre_of_gravity_mm painted_area_mm2 material chamfers gross_length_mm gross_width_mm "
+    "gross_area_mm2 gross_mass_kg edge_error_mm line_error_mm diagonal_error_mm "
+    "centre_line_error_mm area_error_mm2 seam_mismatch_mm locked_in_stress_mpa"
 )
 FAILED = member(
     "M2",
