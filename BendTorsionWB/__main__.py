@@ -240,7 +240,7 @@ def _check(options) -> int:
     told = dict.fromkeys(project.at_rows(schedule, findings))
     for finding in sorted(told, key=lambda own: own.severity != "error"):
         if not options.quiet or finding.severity == "error":
-            print(finding.line())
+            print(finding.line(schedule.settings.sheet_style.told_length))
     if not options.quiet:
         plates = sum(len(item.record.plates) for item in detailed.values())
         print(

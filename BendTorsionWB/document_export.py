@@ -103,8 +103,7 @@ def records_of(document, only: Sequence[str] = ()) -> DocumentRecords:
         own = report.of_member(name, findings)
         if has_error(own):
             records[name] = failed_record(name, own)
-    records = with_landed_marks(tuple(records.values()))
-    records = {record.member: record for record in numbered(records)}
+    records = _as_written(records)
     missing = [name for name in only if name not in records]
     if missing or not records:
         raise BendTorsionError(
@@ -120,6 +119,12 @@ def records_of(document, only: Sequence[str] = ()) -> DocumentRecords:
     titles = style_in(document)
     findings += text_findings(records.values(), titles.project)
     return DocumentRecords(records, keys, findings, titles, layers)
+
+
+def _as_written(records: Mapping[str, MemberRecord]) -> dict[str, MemberRecord]:
+    """The records with what all members together tell of each: marks where others land, parts."""
+    marked = with_landed_marks(tuple(records.values()))
+    return {record.member: record for record in numbered(marked)}
 
 
 def _clashes(geometry: Mapping[str, MemberGeometry], nodes: Iterable) -> tuple[Finding, ...]:
@@ -156,8 +161,7 @@ def source_records(
         own = report.of_member(name, (*lost, *found.findings))
         healthy = name in detailed and not has_error(own)
         records[name] = detailed[name].record if healthy else failed_record(name, own)
-    records = with_landed_marks(tuple(records.values()))
-    records = {record.member: record for record in numbered(records)}
+    records = _as_written(records)
     titles = schedule.settings.sheet_style
     findings = (*lost, *found.findings, *text_findings(records.values(), titles.project))
     nodes = all_records(found, (), {}, list(jobs))

@@ -323,7 +323,6 @@ def _build(
             write_package(folder, records, findings, own, titles, behind, frames)
             keep_part_marks(out, marks)
         with timing.stage("results"):
-            own = list(keys.values())
             write_reports(folder, records, findings, own, titles, site, nodes, fragments)
             fragments.keep_all()
     with timing.stage("revision"):

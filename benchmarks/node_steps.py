@@ -60,7 +60,7 @@ def corners(node, branch, through, own, ends) -> list[Corner]:
         points = points[((points - near) ** 2).sum(axis=1) < _reach(points, near) ** 2]
         corner = points[np.argmax(points @ (up + side))]
         foot, normal = _on_ruled(min(flat, key=lambda s: _distance(s, corner)), corner, up)
-        own_normal = _normal(_face(flange, corner, up), corner, up)
+        own_normal = _normal(_face(flange, corner, up), corner)
         cosine = float(normal @ own_normal)
         found.append(
             Corner(
@@ -101,11 +101,11 @@ def _distance(shape, point) -> float:
 
 def _face(solid, point, up):
     """The face of a solid that looks up, nearest to a point."""
-    looking = [face for face in solid.Faces if _normal(face, point, None) @ up > 0.8]
+    looking = [face for face in solid.Faces if _normal(face, point) @ up > 0.8]
     return min(looking, key=lambda face: _distance(face, point))
 
 
-def _normal(face, point, up) -> np.ndarray:
+def _normal(face, point) -> np.ndarray:
     import FreeCAD
 
     u, v = face.Surface.parameter(FreeCAD.Vector(*(float(x) for x in point)))

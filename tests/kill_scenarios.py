@@ -1,11 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is killed at its writes: commands on a small project, each from the same folder."""
+"""What is killed at its writes: commands on a small project, each from the same folder.
 
+A process that forks must not have used Open CASCADE's threads: they are not in its children, which
+wait for them (7.8). So even what comes before is done in children, and as a script,
+`kill_scenarios.py FOLDER PLACES NAME...`, this tries scenarios in a process of its own.
+"""
+
+import json
 import os
 import shutil
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+
+if __name__ == "__main__":
+    sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+    from BendTorsionWB import freecad_path
+
+    freecad_path.append()
 
 import killed_writes
 import openpyxl
@@ -69,7 +82,8 @@ def scenarios(folder, names=()):
         before = folder / f"before {len(made)}"
         before.mkdir()
         reset(work, before)
-        prepare()
+        begun = killed_writes.run(prepare)
+        assert not begun.failure, (name, begun.failure)
         shutil.rmtree(before)
         shutil.copytree(work, before, symlinks=True)
         old, sheets = killed_writes.content(work), [_read_back(work)]
@@ -201,3 +215,15 @@ def _with_folder(one, now):
     mixed = _read_back(one.work) not in one.sheets
     found = killed_writes.faults(one.old, one.new, now)
     return [*["sheets of two schedules in one folder"] * mixed, *found]
+
+
+def main(folder, places, *names):
+    """Print of each scenario its name, and what was lost and stuck, at so many places along it."""
+    for one in scenarios(Path(folder), names):
+        step = one.points / int(places)
+        ends = [tried(one, max(1, round((k + 0.7) * step))) for k in range(int(places))]
+        print(json.dumps([one.name, *([e for e in side if e] for side in zip(*ends))]))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

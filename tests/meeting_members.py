@@ -9,6 +9,8 @@ from BendTorsionWB.core.axes.frames import FrameInput, frames_of
 from BendTorsionWB.core.geometry.surface import analytic_surface
 from BendTorsionWB.core.members.member import Member
 from BendTorsionWB.core.members.zones import Segment, section_law
+from BendTorsionWB.core.nodes.node_input import NodeRules
+from BendTorsionWB.core.nodes.nodes import find_nodes
 from BendTorsionWB.core.sections.section import box
 
 PLANE = analytic_surface("plane", {})
@@ -52,3 +54,10 @@ def twisted_pair(first=None, second=None):
 
 
 __all__ = ["ELLIPSOID", "PLANE", "along_x", "at_angle", "counter", "straight", "twisted_pair"]
+
+
+def found(*members, ranks=None, rows=(), rules=None):
+    """The nodes of members, each running through those after it unless `ranks` says otherwise."""
+    ranks = ranks or {member.name: k for k, member in enumerate(members)}
+    by_name = {member.name: member for member in members}
+    return find_nodes(by_name, ranks, rows, rules or NodeRules())

@@ -35,11 +35,13 @@ def test_the_same_bits_for_any_number_of_threads(threads):
     assert told(OPENBLAS_NUM_THREADS=threads) == told(OPENBLAS_NUM_THREADS="1")
 
 
-def test_a_program_that_has_loaded_numpy_keeps_its_threads():
+@pytest.mark.parametrize("loaded", ["numpy", "FreeCADGui"])
+def test_a_program_that_has_loaded_numpy_keeps_its_threads(loaded):
     """And so does FreeCAD's window, with other workbenches in it."""
     root = Path(__file__).resolve().parent.parent
     given = {**os.environ, "OPENBLAS_NUM_THREADS": "3", "PYTHONPATH": str(root)}
-    script = "import numpy, BendTorsionWB, os; print(os.environ['OPENBLAS_NUM_THREADS'])"
+    there = f"import sys, types; sys.modules[{loaded!r}] = types.ModuleType({loaded!r})"
+    script = f"{there}\nimport BendTorsionWB, os; print(os.environ['OPENBLAS_NUM_THREADS'])"
     command = [sys.executable, "-c", script]
     run = subprocess.run(command, env=given, capture_output=True, text=True, check=True)
     assert run.stdout.strip() == "3"

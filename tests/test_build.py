@@ -398,6 +398,18 @@ def test_check_writes_nothing_and_tells(tmp_path, tell):
     assert code == 1 and "M1 meets M2" in printed
 
 
+def test_check_tells_lengths_in_the_unit_of_the_sheets(tmp_path, tell):
+    path = schedule(tmp_path / "two.xlsx", APART)
+    book = openpyxl.load_workbook(path)
+    page = book.create_sheet("Settings")
+    rows = (("key", "value"), ("sheet_unit", "ft-in"), ("site_unit", "m"), ("site_x", 609.6))
+    for row in rows:
+        page.append(row)
+    book.save(path)
+    code, printed, _ = tell("check", path, "--jobs", 1)
+    assert code == 0 and "value 2'-0\" (609.6 mm)" in printed
+
+
 def test_a_folder_that_cannot_be_written_is_one_line(tmp_path, tell):
     path = schedule(tmp_path / "two.xlsx", APART)
     (tmp_path / "file").write_text("in the way")

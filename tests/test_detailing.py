@@ -14,13 +14,15 @@ import pytest
 from curved_members import ELLIPSOID, HALF_AXES, diagonal, irregular
 
 from BendTorsionWB.core import detailing, memo
+from BendTorsionWB.core.axes.frames import FrameInput
+from BendTorsionWB.core.axes.frames_law import GivenDirection
 from BendTorsionWB.core.detailing import AxisInput, MemberInput, MemberJob, PlatesInput
 from BendTorsionWB.core.finding import BendTorsionError, Finding
-from BendTorsionWB.core.geometry.surface import analytic_surface
+from BendTorsionWB.core.geometry.surface import Plane, analytic_surface
 from BendTorsionWB.core.lofting import failed_record
 from BendTorsionWB.core.members.zones import Segment
 from BendTorsionWB.core.plates.plates import Joints
-from BendTorsionWB.core.sections.section import box
+from BendTorsionWB.core.sections.section import Material, box
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -199,3 +201,25 @@ def test_equal_surfaces_are_equal_content():
     assert memo.content_hash(other) == memo.content_hash(ELLIPSOID)
     third = analytic_surface("ellipsoid", {**dict(zip("abc", HALF_AXES)), "a": 40001.0})
     assert memo.content_hash(third) != memo.content_hash(ELLIPSOID)
+
+
+@pytest.mark.parametrize("modulus", [70000.0, 206000.0, 210000.0])
+def test_the_stress_locked_in_and_its_limit_are_of_the_grade_of_the_plate(modulus):
+    """Both are strains times the modulus of its own grade."""
+    grade = Material("made", 7.85e-6, modulus, 355.0)
+    twist = (GivenDirection(0.0, 0.0), GivenDirection(6000.0, 0.6))
+    given = MemberInput(
+        "M1",
+        (Segment(box("B", "box1", 800, 600, 20, material=grade)),),
+        frame=FrameInput("fixed", twist=twist),
+    )
+    axis = AxisInput("A1", np.array([(0.0, 0.0, 0.0), (6000.0, 0.0, 0.0)]))
+    record = detailing.detail(MemberJob(Plane(), axis, given, PlatesInput())).record
+    plates = {plate.mark: plate for plate in record.plates}
+    found = [f for f in record.findings if f.code == "locked-in-stress"]
+    assert found
+    for finding in found:
+        strain = plates[finding.object].strain_max
+        assert finding.value == pytest.approx(modulus * strain, rel=1e-9)
+        assert finding.limit == pytest.approx(modulus * 0.037**2 / 8.0, rel=1e-9)
+        assert finding.value > finding.limit

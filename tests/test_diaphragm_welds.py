@@ -18,8 +18,8 @@ from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.geometry.surface import Plane
 from BendTorsionWB.core.plates.diaphragm_input import Diaphragm, closing_of
 from BendTorsionWB.core.sections.section import box
+from BendTorsionWB.core.welds.edge_rows import EdgeTreatment
 from BendTorsionWB.core.welds.preps import Prep, prep_of
-from BendTorsionWB.core.welds.welds import EdgeTreatment
 from BendTorsionWB.exchange import report, results_workbook
 
 SECTION = box("B", "box1", 800, 600, 20)

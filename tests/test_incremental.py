@@ -3,6 +3,7 @@
 
 import os
 import pickle
+import shutil
 import signal
 import subprocess
 import sys
@@ -49,6 +50,27 @@ def build(path, out, wanted=NO_MODEL):
     result = project.build(path, out, workers=1, wanted=wanted)
     assert not result.failed
     return result
+
+
+@pytest.fixture(scope="module")
+def first_builds(tmp_path_factory):
+    """What the schedule gives in a new folder, built once with a model and once without."""
+    folder = tmp_path_factory.mktemp("first")
+    path = schedule(folder / "two.xlsx", APART)
+    return {wanted: (build(path, folder / str(wanted.model), wanted), folder / str(wanted.model))
+            for wanted in (NO_MODEL, PLAIN)}
+
+
+@pytest.fixture
+def begun(book, tmp_path, first_builds):
+    """Start with a folder the schedule has been built into: the result of that build."""
+
+    def copied(out, wanted=NO_MODEL):
+        result, folder = first_builds[wanted]
+        shutil.copytree(folder, out)
+        return result
+
+    return copied
 
 
 def change(path, sheet, row, column, value):

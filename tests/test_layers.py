@@ -3,6 +3,7 @@
 
 import ast
 import os
+import resource
 import subprocess
 import sys
 from pathlib import Path
@@ -269,6 +270,7 @@ def test_each_module_imports_in_a_fresh_interpreter():
     names = [name for path in MODULES if (name := module_name(path)) != f"{PACKAGE}.__main__"]
     names.sort(key=lambda name: layer_of(name) == "gui")
     environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen", "PYTHONPATH": str(ROOT)}
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     run = subprocess.run(
         [sys.executable, "-c", EACH_ALONE, *names],
         env=environment,
@@ -279,3 +281,5 @@ def test_each_module_imports_in_a_fresh_interpreter():
         check=False,
     )
     assert run.stdout.splitlines()[-1:] == ["failed:"], run.stdout + run.stderr
+    # By the processor's clock: that of a busy machine tells nothing.
+    assert resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before < 120.0

@@ -261,7 +261,9 @@ def test_random_members_are_valid_or_refused_by_name(first):
     ("seed", "kind"),
     [
         (777, "mitres-cross"),
+        (22, "bend-sharper-than-section"),
         (55, "bend-sharper-than-section"),
+        (2293, "bend-sharper-than-section"),
         (5039, "bend-sharper-than-section"),
         (7109, "strip-too-narrow"),
         (9758, "valid"),

@@ -17,8 +17,8 @@ from BendTorsionWB.core.geometry.surface import Plane
 from BendTorsionWB.core.patterns.laid_flat import PatternInput
 from BendTorsionWB.core.plates.plates import Joints
 from BendTorsionWB.core.sections.section import box
+from BendTorsionWB.core.welds.edge_rows import EdgeTreatment
 from BendTorsionWB.core.welds.preps import TYPES, prep_of
-from BendTorsionWB.core.welds.welds import EdgeTreatment
 from BendTorsionWB.exchange.dxf import plate_dxf
 from BendTorsionWB.exchange.nc1 import plate_nc1
 

@@ -6,19 +6,14 @@ import re
 
 import numpy as np
 import pytest
-from meeting_members import along_x, at_angle, straight, twisted_pair
+from meeting_members import along_x, at_angle, found, straight, twisted_pair
 
 from BendTorsionWB.core.members.zones import Segment
-from BendTorsionWB.core.nodes.node_input import NodeInput, NodeRules
+from BendTorsionWB.core.nodes.node_input import NodeInput
 from BendTorsionWB.core.nodes.node_members import nodes_of_member, with_nodes
 from BendTorsionWB.core.nodes.nodes import find_nodes
 from BendTorsionWB.core.plates.plates import split_plates
 from BendTorsionWB.core.sections.section import box
-
-
-def found(*members, ranks=None, rows=()):
-    ranks = ranks or {member.name: k for k, member in enumerate(members)}
-    return find_nodes({member.name: member for member in members}, ranks, rows, NodeRules())
 
 
 def refused(result, code):
@@ -239,3 +234,12 @@ def test_stubs_are_counted_from_the_through_member_s_axis():
         node = result.nodes[0].point
         # Along the branch, from the point of the through member's axis the node is at.
         assert float(((node - point) * way).sum()) == pytest.approx(900.0, abs=1e-6)
+
+
+def test_both_of_two_that_pass_through_a_third_leave_no_node_though_not_at_one_place():
+    """Their axes meet that of X 50 mm apart: neither is a node, as both have the error."""
+    result = found(along_x(), at_angle(45, "Y", x=25.0), at_angle(135, "Z", x=-25.0))
+    (finding,) = [f for f in result.findings if f.severity == "error"]
+    assert finding.code == "node-three-through" and finding.objects == ("Y", "Z")
+    assert not result.nodes
+    assert {own.status for own in result.unmade} == {"node-three-through"}

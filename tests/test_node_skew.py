@@ -6,12 +6,11 @@ import math
 
 import numpy as np
 import pytest
-from meeting_members import along_x, at_angle, straight
+from meeting_members import along_x, at_angle, found, straight
 from test_sheet_node import LOW, X, at, details
 from test_sheet_node import straight as job
 
-from BendTorsionWB.core.nodes.node_input import NodeInput, NodeRules
-from BendTorsionWB.core.nodes.nodes import find_nodes
+from BendTorsionWB.core.nodes.node_input import NodeInput
 from BendTorsionWB.core.rules import weld_defaults
 from BendTorsionWB.core.sections.section import box
 from BendTorsionWB.core.welds.preps import prep_text
@@ -94,11 +93,6 @@ def test_a_bevel_flatter_than_the_head_cuts_is_told_at_its_end():
         assert finding.value > finding.limit == pytest.approx(limit) and finding.unit == "deg"
         assert finding.severity == "warning" and "two passes" in finding.mend
     assert not [f for f in crossed(90.0)[1].findings if f.code == "bevel-beyond-head"]
-
-
-def found(*members, ranks=None, rows=()):
-    ranks = ranks or {member.name: k for k, member in enumerate(members)}
-    return find_nodes({member.name: member for member in members}, ranks, rows, NodeRules())
 
 
 def test_axes_that_coincide_are_one_duplicate():

@@ -16,8 +16,8 @@ from BendTorsionWB.core.members.segment import Segment
 from BendTorsionWB.core.nodes.node_input import NodeInput
 from BendTorsionWB.core.patterns.cut_contour import cut_contour
 from BendTorsionWB.core.patterns.laid_flat import PatternInput
+from BendTorsionWB.core.welds.edge_rows import EdgeTreatment
 from BendTorsionWB.core.welds.preps import prep_of, prep_text
-from BendTorsionWB.core.welds.welds import EdgeTreatment
 from BendTorsionWB.exchange.dxf import write_plate_dxf
 from BendTorsionWB.exchange.html_report import html_report
 from BendTorsionWB.exchange.report import report_json

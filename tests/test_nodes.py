@@ -5,22 +5,16 @@ import math
 
 import numpy as np
 import pytest
-from meeting_members import along_x, at_angle, straight, twisted_pair
+from meeting_members import along_x, at_angle, found, straight, twisted_pair
 
 from BendTorsionWB.core.members.zones import Segment
 from BendTorsionWB.core.nodes.node_cut import landings, outer_lines
 from BendTorsionWB.core.nodes.node_faces import outer_faces
-from BendTorsionWB.core.nodes.node_input import NodeInput, NodeRules
+from BendTorsionWB.core.nodes.node_input import NodeInput
 from BendTorsionWB.core.nodes.nodes import find_nodes
 from BendTorsionWB.core.plates.flat_room import separation
 from BendTorsionWB.core.sections.section import box
 from BendTorsionWB.core.sections.section_types import i_section
-
-
-def found(*members, ranks=None, rows=(), rules=None):
-    ranks = ranks or {member.name: k for k, member in enumerate(members)}
-    by_name = {member.name: member for member in members}
-    return find_nodes(by_name, ranks, rows, rules or NodeRules())
 
 
 def codes(result):

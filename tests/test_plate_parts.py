@@ -288,9 +288,10 @@ def test_nc1_of_a_plate_made_by_hand():
     # x, y, angle, height, text.
     words = next(row for _, row in blocks["SI"] if row.endswith("UP")).replace("u", " ").split()
     assert words[2:] == ["45.00", "12", "UP"]
-    # About its place: upright, the middle of a text lies half its height above its lower edge.
-    across = (np.array([float(words[0]), float(words[1])]) - [600.0, 100.0]) @ [-1.0, 1.0]
-    assert across / math.sqrt(2.0) == pytest.approx(-6.0, abs=0.01)
+    # Its middle at its place: half of two letters as wide as high before, half its height below.
+    corner = np.array([float(words[0]), float(words[1])]) - [600.0, 100.0]
+    own = corner @ np.array([[1.0, -1.0], [1.0, 1.0]]) / math.sqrt(2.0)
+    np.testing.assert_allclose(own, [-12.0, -6.0], atol=0.01)
 
 
 def test_sheets_show_them(built):

@@ -4,6 +4,7 @@
 import math
 import time
 import zipfile
+from xml.etree import ElementTree
 
 import openpyxl
 import pytest
@@ -156,6 +157,15 @@ def test_sheets_are_ready_to_read_filter_and_print(book):
     assert book["Summary"].auto_filter.ref == "A1:R4"
     assert book["Points"]["F2"].number_format == "0.0"
     assert book["Lines"]["G2"].number_format == "0.0000"
+
+
+def test_a_footer_is_no_longer_than_spreadsheets_take(tmp_path):
+    """Excel mends away what has more than 255 characters, codes and doubled signs included."""
+    write_results([], [], tmp_path / "r.xlsx", "&" * 300)
+    with zipfile.ZipFile(tmp_path / "r.xlsx") as archive:
+        sheet = ElementTree.fromstring(archive.read("xl/worksheets/sheet1.xml"))
+    (footer,) = (part.text for part in sheet.iter() if part.tag.endswith("oddFooter"))
+    assert "&" * 160 in footer and len(footer) <= 255
 
 
 def test_headings_hold_names_and_show_units(book):

@@ -15,8 +15,8 @@ from BendTorsionWB.core.joints.pieces import PieceInput
 from BendTorsionWB.core.plates.plates import Joints
 from BendTorsionWB.core.sections.section import box
 from BendTorsionWB.core.sections.section_types import polygon
+from BendTorsionWB.core.welds.edge_rows import EdgeTreatment
 from BendTorsionWB.core.welds.preps import Prep
-from BendTorsionWB.core.welds.welds import EdgeTreatment
 from BendTorsionWB.exchange.schedule_jobs import job_of, located
 
 B6 = Prep("B6", "bevel", math.radians(35), 0.0, 6.0, backing=(30.0, 6.0))
@@ -93,6 +93,16 @@ def test_a_row_for_part_of_a_seam_opens_all_of_it_and_says_so():
     assert [f.code for f in half.record.findings] == ["root-gap-whole-seam"]
 
 
+def test_a_row_over_another_holds_for_the_gap_as_for_the_weld():
+    """The later row asks for a test alone: its stretch has the rule pack's preparation."""
+    rows = [EdgeTreatment("BR", prep=B6), EdgeTreatment("BR", 3000.0, ndt="UT 100%")]
+    part = made(rows)
+    assert gaps(part, "BR") == {6.0}
+    assert [f.code for f in part.record.findings] == ["root-gap-whole-seam"]
+    over = made([rows[0], EdgeTreatment("BR", ndt="UT 100%")])
+    assert gaps(over, "BR") == {0.0} and not over.record.findings
+
+
 def test_both_plates_of_a_mitre_keep_half_of_the_gap():
     corners = [(300, 300), (-300, 300), (-300, -300), (300, -300)]
     square = polygon("P", corners, 20)
@@ -107,6 +117,11 @@ def test_both_plates_of_a_mitre_keep_half_of_the_gap():
 def test_a_gap_that_leaves_no_plate_is_refused_at_its_row():
     finding = refused([EdgeTreatment("TL", prep=replace(B6, gap=556.0))])
     assert (finding.code, finding.position) == ("gap-too-wide", "edge 1")
+    # Not at the first row with a gap: that of a joint takes nothing off the section.
+    joints = {"top": Joints((3000.0,), "mm")}
+    rows = [EdgeTreatment("joints", prep=BUTT), EdgeTreatment("TL", prep=replace(B6, gap=556.0))]
+    finding = refused(rows, joints=joints)
+    assert (finding.code, finding.position) == ("gap-too-wide", "edge 2")
 
 
 def test_the_gap_of_a_joint_comes_off_both_plates():

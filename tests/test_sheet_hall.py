@@ -61,8 +61,7 @@ def test_every_node_of_the_hall_can_be_read_on_few_pages(meeting, form):
     for standard, language in (("ISO", "en"), ("AWS", "en"), ("ISO", "zh"), ("AWS", "zh")):
         sheets = node_sheets(meeting, SheetStyle("Hall", "", form, standard, language))
         assert [fault for sheet in sheets for fault in faults(sheet)] == []
-        # A node with four kinds of welds may need a second page on A3.
-        most = {"A4": 3 * count, "A3": count + 1}.get(form, count)
+        most = 3 * count if form == "A4" else count
         assert 30 <= count <= len(sheets) <= most
 
 

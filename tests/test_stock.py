@@ -36,6 +36,12 @@ def test_the_words_of_the_stock():
     assert stock_of("") == ()
 
 
+@pytest.mark.parametrize("thickness", ["16", "16mm", "16 mm", "16 MM,"])
+def test_a_thickness_may_say_its_unit(thickness):
+    assert stock_of(f"{thickness} 10000x2000") == (StockSheet(10000.0, 2000.0, 16.0),)
+    assert stock_of(f"S355 {thickness} 10000x2000") == (StockSheet(10000.0, 2000.0, 16.0, "S355"),)
+
+
 @pytest.mark.parametrize("words", ["12000", "2500x12000", "16 S355 S460 12000x2500", "1x1", "axb"])
 def test_words_that_are_no_stock_are_refused(words):
     with pytest.raises(BendTorsionError, match="stock cannot be read"):

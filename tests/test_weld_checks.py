@@ -16,8 +16,8 @@ from BendTorsionWB.core.plates.plates import Joints
 from BendTorsionWB.core.sections.section import box
 from BendTorsionWB.core.sections.section_types import polygon
 from BendTorsionWB.core.welds.backing_clash import snipe_needed
+from BendTorsionWB.core.welds.edge_rows import EdgeTreatment
 from BendTorsionWB.core.welds.preps import prep_of
-from BendTorsionWB.core.welds.welds import EdgeTreatment
 from BendTorsionWB.exchange.weld_tables import weld_tables
 
 BOX = box("B", "box1", 600, 500, 20)

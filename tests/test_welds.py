@@ -13,8 +13,9 @@ from BendTorsionWB.core.patterns.pattern import develop_plate
 from BendTorsionWB.core.plates.edge_faces import with_edges
 from BendTorsionWB.core.plates.plates import Joints, split_plates
 from BendTorsionWB.core.sections.section import box
+from BendTorsionWB.core.welds.edge_rows import EdgeTreatment, WeldDefaults
 from BendTorsionWB.core.welds.preps import Prep, prep_findings, prep_of, prep_text
-from BendTorsionWB.core.welds.welds import EdgeTreatment, WeldDefaults, welds_of
+from BendTorsionWB.core.welds.welds import welds_of
 
 CORNER = Prep("C", "bevel", math.radians(40), 6.0, 2.0)
 BUTT = Prep("B", "v", math.radians(60), 2.0, 2.0)

@@ -48,7 +48,8 @@ def test_the_workbench_is_listed_and_opens(window):
     assert seen["active"] == "BendTorsionWorkbench"
     assert seen["icon_exists"]
     assert seen["registered"]
-    assert "BendTorsion_MembersFromSelection" in seen["toolbar"]
+    first = ["BendTorsion_ImportShapes", "BendTorsion_MembersFromSelection", "BendTorsion_Surface"]
+    assert seen["toolbar"][:3] == first
     assert seen["loaded_early"] == []
 
 

@@ -80,8 +80,13 @@ class Colouring:
     legend: tuple[tuple[str, Colour], ...]
 
 
+def strain_text(strain: float) -> str:
+    """A strain as micrometres per metre."""
+    return f"{1e6 * strain:.1f} µm/m".replace("-0.0 ", "0.0 ")
+
+
 _FIGURES = {
-    "strain": (lambda plate: plate.strain_max, lambda value: strain_text(value)),
+    "strain": (lambda plate: plate.strain_max, strain_text),
     "length error": (lambda plate: plate.length_error_max, lambda value: f"{value:.4f} mm"),
     "thickness": (lambda plate: plate.thickness, lambda value: f"{value:g} mm"),
     "deviation": (
@@ -129,10 +134,9 @@ def colouring(
     figure, written = _FIGURES[by]
     values = np.array([figure(plate) for plate in plates], float)
     known = np.isfinite(values)
-    between = between or limits(plates, by)
-    if not known.any() or between is None:
+    if not known.any():
         return Colouring((UNKNOWN,) * len(plates), ())
-    scale = ColourScale(*between)
+    scale = ColourScale(*(between or limits(plates, by)))
     steps = np.unique(values[known]) if by == "thickness" else scale.ticks()
     painted = scale.colours(np.where(known, values, scale.low))
     return Colouring(
@@ -156,11 +160,6 @@ def face_colour(letter: str) -> Colour:
 def _formed(plate: DevelopedPlate, figure: str) -> float:
     """A figure of how a plate is formed; flat parts have none."""
     return math.nan if plate.forming_data is None else float(getattr(plate.forming_data, figure))
-
-
-def strain_text(strain: float) -> str:
-    """A strain as micrometres per metre."""
-    return f"{1e6 * strain:.1f} µm/m".replace("-0.0 ", "0.0 ")
 
 
 def hex_text(colour: Sequence[float]) -> str:

@@ -13,8 +13,8 @@ import numpy as np
 class Columns(Sequence):
     """Records of a kind of dataclass: per field, in its order, an array (n, …) or a tuple (n).
 
-    Made, sent between processes and read from the cache of results in a tenth of the time that
-    as many records with arrays of their own take. Numbers come out as Python's.
+    A few arrays are made, sent between processes and kept in the cache of results in place of
+    several per record. Numbers come out as Python's.
     """
 
     kind: type

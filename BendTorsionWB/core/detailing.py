@@ -9,8 +9,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from . import tolerances
 from .axes.axis import Axis
 from .axes.axis_input import AxisInput, AxisUncertainty, axis_from, axis_uncertainty
@@ -49,9 +47,10 @@ from .stages import MemberGeometry, MemberInput, MemberPlates, PlateGeometry, Pl
 from .welds.backing_clash import backing_clashes
 from .welds.bevel_limit import bevels_beyond
 from .welds.bevels import with_bevels
+from .welds.edge_rows import EdgeTreatment
 from .welds.root_gaps import joint_gaps, seam_gaps, with_root_gaps
 from .welds.seam_corners import seam_corners
-from .welds.welds import EdgeTreatment, welds_of
+from .welds.welds import welds_of
 
 
 @memoised
@@ -228,9 +227,9 @@ def record_of(plates: MemberPlates, given: PatternInput = PLAIN) -> MemberRecord
     ) + tuple(map(developed_flat, plates.flat))
     rms, largest = member.frames.axis.distance_to(geometry.surface)
     findings = list(plates.findings)
+    most_strain = tolerances.LOCKED_IN_TWIST_WIDTH**2 / 8.0
     for plate in developed:
-        twist_width = np.sqrt(8.0 * plate.strain_max)
-        if given.mode == "edges" and twist_width > tolerances.LOCKED_IN_TWIST_WIDTH:
+        if given.mode == "edges" and plate.strain_max > most_strain:
             findings.append(
                 warning(
                     "locked-in-stress",
@@ -238,7 +237,7 @@ def record_of(plates: MemberPlates, given: PatternInput = PLAIN) -> MemberRecord
                     "laying the plate flat locks in a membrane stress that the shop will feel",
                     "lay it flat with mode energy, narrow the plate, or form it hot",
                     value=float(plate.locked_in_stress),
-                    limit=float(tolerances.LOCKED_IN_TWIST_WIDTH**2 / 8 * 206000.0),
+                    limit=float(plate.locked_in_stress * most_strain / plate.strain_max),
                     unit="MPa",
                 )
             )

@@ -367,6 +367,21 @@ class MemberRecord:
     controls: tuple[ControlSection, ...] = ()
 
 
+def plate_identity(plate) -> dict[str, object]:
+    """The fields of a DevelopedPlate that say which plate it is and what of; plate: a `Plate` or a
+    `FlatPlate`. A plate is a part of its own until all are numbered."""
+    return {
+        "member": plate.member,
+        "mark": plate.mark,
+        "part": plate.mark,
+        "face": plate.face,
+        "letter": plate.letter,
+        "piece": plate.piece,
+        "thickness": plate.thickness,
+        "material": plate.material.name,
+    }
+
+
 def failed_record(name: str, findings: tuple[Finding, ...]) -> MemberRecord:
     """The record of a member in error: no plates, no figures."""
     if not any(f.severity == "error" for f in findings):

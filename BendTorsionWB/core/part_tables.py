@@ -17,8 +17,8 @@ from .plates.face_marks import FaceMark, mark_words
 from .plates.hole_shape import hole_shape, placed_hole
 from .plates.openings import Opening
 from .sections.section import Material
+from .welds.edge_rows import EdgeTreatment
 from .welds.preps import PLACES, prep_of
-from .welds.welds import EdgeTreatment
 
 PART_COLUMNS = {
     "Diaphragms": ("s", "t", "gap", "snipe", "manhole", "closing_face", "material"),

@@ -15,8 +15,8 @@ from .members.thickness import ThicknessRules
 from .nodes.node_input import NodeRules
 from .patterns.forming import FormingRules
 from .plates.plates import JointRules
+from .welds.edge_rows import WeldDefaults
 from .welds.preps import Prep
-from .welds.welds import WeldDefaults
 
 FOLDER = Path(__file__).resolve().parents[2] / "resources" / "rules"
 PACKS = ("CN", "EU", "US")

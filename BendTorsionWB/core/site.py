@@ -11,6 +11,8 @@ from .finding import Finding, warning
 
 UNITS = {"mm": 1.0, "m": 0.001}
 """Site units written to lists, per millimetre."""
+_WHOLE = 1e-6
+"""mm; values nearer than this to a whole number have no fraction."""
 
 
 @dataclass(frozen=True)
@@ -58,7 +60,3 @@ def datum_findings(site: SiteDatum) -> tuple[Finding, ...]:
                 )
             )
     return tuple(found)
-
-
-_WHOLE = 1e-6
-"""mm; values nearer than this to a whole number have no fraction."""

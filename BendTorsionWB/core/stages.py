@@ -23,7 +23,7 @@ from .plates.face_marks import FaceMark
 from .plates.flat_plate import FlatPlate
 from .plates.openings import Opening
 from .plates.plates import JointRules, Joints, Plate
-from .welds.welds import EdgeTreatment, WeldDefaults
+from .welds.edge_rows import EdgeTreatment, WeldDefaults
 
 
 @dataclass(frozen=True)

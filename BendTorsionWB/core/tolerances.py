@@ -59,5 +59,8 @@ SOLIDS_OVERLAP_VOLUME = 1e-3
 LOCKED_IN_TWIST_WIDTH = 0.037
 """Twist rate times width (rad) above which `edges` locks in stress worth a warning."""
 
+WELD_FIGURE = 1e-3
+"""Legs, gaps, snipes (mm) and angles (degrees) of welds that miss their limit by less are at it."""
+
 MANHOLE_LIGAMENT = 50.0
 """Least plate left between a manhole and the edge of its diaphragm or end plate."""

@@ -58,10 +58,13 @@ def nesting_csv(records: Sequence[MemberRecord]) -> bytes:
     """The list nesting programs take: part, thickness, grade, quantity, DXF and rolling direction
     of each part, its gross size and mass, and the marks it is. UTF-8 with a byte order mark, so
     that spreadsheets read any script."""
-    rows = [NESTING]
-    for plates in _parts(records):
+    parts = _parts(records)
+    stocked = any(plates[0].stock for plates in parts)
+    rows = [NESTING + NESTING_STOCK if stocked else NESTING]
+    for plates in parts:
         one = plates[0]
         gross = one.gross or one
+        stock = [f"{size:g}" for size in one.stock or ()] or ["", ""]
         rows.append(
             (
                 one.part,
@@ -74,14 +77,9 @@ def nesting_csv(records: Sequence[MemberRecord]) -> bytes:
                 f"{gross.width:.1f}",
                 f"{gross.mass:.2f}",
                 " ".join(plate.mark for plate in plates),
-                *(f"{size:g}" for size in one.stock or ()),
+                *(stock if stocked else ()),
             )
         )
-    if any(len(row) > len(NESTING) for row in rows):
-        rows = [
-            NESTING + NESTING_STOCK,
-            *(row + ("",) * (len(NESTING + NESTING_STOCK) - len(row)) for row in rows[1:]),
-        ]
     return csv_bytes(rows)
 
 

@@ -24,7 +24,7 @@ from .dxf_file import Layer, Space, dxf_bytes
 from .dxf_inner import add_face_marks, add_face_texts, add_holes, clear_fields
 from .dxf_labels import CHARACTER_WIDTH, SMALLEST_TEXT
 from .dxf_text import LINE_PITCH, Pattern
-from .plate_fields import centre_of, field_size, longest, panels
+from .plate_fields import SAME_PLACE, centre_of, field_size, longest, panels
 from .plate_words import identity
 from .whole_file import write_whole
 
@@ -59,8 +59,6 @@ MARK_GAP = 5.0
 
 TEXT_HEIGHT = 25.0
 """mm; height of marking text where the plate leaves room for it."""
-
-_SAME_PLACE = 0.01  # mm; lines and points closer than this are one
 
 
 def write_plate_dxf(
@@ -264,7 +262,7 @@ def _text_fit(panel: tuple[np.ndarray, np.ndarray], rows: tuple[str, ...]) -> tu
 def _first_of_their_place(rows: np.ndarray) -> np.ndarray:
     """(n,) whether no earlier row of (n, d) coordinates is the same place."""
     apart = np.abs(rows[:, None] - rows[None]).max(axis=2, initial=0.0)
-    return ~np.tril(apart <= _SAME_PLACE, -1).any(axis=1)
+    return ~np.tril(apart <= SAME_PLACE, -1).any(axis=1)
 
 
 def _shortened(flat: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -82,13 +82,6 @@ def figures(record: MemberRecord) -> tuple[float | None, ...]:
     )
 
 
-def measured(record: MemberRecord) -> tuple[tuple[float | None, float], ...]:
-    """A member's figures with their limits."""
-    return tuple(
-        (value, limit) for value, (_, limit, _) in zip(figures(record), FIGURES, strict=True)
-    )
-
-
 def passes(value: float | None, limit: float) -> bool:
     """Whether a figure is within its limit; one that does not exist is."""
     return value is None or value <= limit
@@ -104,12 +97,12 @@ def within_limits(record: MemberRecord) -> bool:
     )
 
 
-def beyond(record: MemberRecord) -> tuple[str, ...]:
-    """For each of a member's FIGURES `!` where it is beyond its limit, `*` where that is a note
-    only, else nothing."""
+def signs(values: Iterable[float | None]) -> tuple[str, ...]:
+    """For each of FIGURES `!` where it is beyond its limit, `*` where that is a note only, else
+    nothing."""
     return tuple(
         "" if passes(value, limit) else "*" if name in NOTED else "!"
-        for (name, _, _), (value, limit) in zip(FIGURES, measured(record), strict=True)
+        for value, (name, limit, _) in zip(values, FIGURES, strict=True)
     )
 
 

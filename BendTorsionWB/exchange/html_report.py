@@ -147,10 +147,11 @@ def _figures(records: Sequence[MemberRecord], known: Sequence[Finding]) -> str:
             _number(record.length, 0),
             _number(record.mass, 1),
         ]
-        for (_, _, digits), value, mark in zip(
-            figures.FIGURES, figures.figures(record), figures.beyond(record), strict=True
+        values = figures.figures(record)
+        for (_, _, digits), value, sign in zip(
+            figures.FIGURES, values, figures.signs(values), strict=True
         ):
-            cells.append(_number(value, digits, "over" if mark == "!" else ""))
+            cells.append(_number(value, digits, "over" if sign == "!" else ""))
         cells.append(_cell(report.verdict(record, known)))
         rows.append(cells)
     limits = [*(_cell("") for _ in range(4)), _cell("limit")]

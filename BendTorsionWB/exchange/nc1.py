@@ -181,13 +181,10 @@ def _stroke(arcs: np.ndarray) -> list[str]:
 
 
 def _radius(start: np.ndarray, end: np.ndarray, bulge: float) -> float:
-    """Signed radius of an arc, positive counter-clockwise; 0 of a line."""
+    """Signed radius of an arc, positive counter-clockwise; 0 of a line, or of what is one."""
     chord = float(np.hypot(*(end - start)))
-    return chord * (1 + bulge**2) / (4 * bulge) if _bends(chord, bulge) else 0.0
-
-
-def _bends(chord: float, bulge: float) -> bool:
-    return bool(0.5 * chord * abs(bulge) >= STRAIGHT)
+    rise = 0.5 * chord * abs(bulge)
+    return chord * (1 + bulge**2) / (4 * bulge) if rise >= STRAIGHT else 0.0
 
 
 def _shortened(flat: np.ndarray) -> np.ndarray:

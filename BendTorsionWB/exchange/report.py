@@ -13,14 +13,12 @@ from ..core.nodes.node_record import NodeRecord
 from ..core.welds.bevel_record import EdgeBevel
 from .figures import (
     FIGURES,
-    NOTED,
-    beyond,
     degrees,
     figures,
     largest,
     limit_findings,
     number,
-    passes,
+    signs,
     within_limits,
 )
 from .node_tables import node_json, nodes_of
@@ -244,24 +242,17 @@ def summary_lines(records: Sequence[MemberRecord], findings: Iterable[Finding]) 
     for record in records:
         result = verdict(record, known)
         good += result == "ok"
-        lines.append(_table_row([*_facts(record), *_marked(record), result]))
+        lines.append(_table_row([*_facts(record), *_marked(figures(record)), result]))
     lines.append("-" * len(lines[0]))
     plates = [plate for record in records for plate in record.plates]
     length = sum(record.length or 0.0 for record in records) / 1000.0
     mass = sum(record.mass or 0.0 for record in records)
     columns = zip(*(figures(record) for record in records)) if records else [()] * len(FIGURES)
-    worst = [
-        _figure(value, digits, "" if passes(value, limit) else "*" if name in NOTED else "!")
-        for value, (name, limit, digits) in zip(
-            (largest(v for v in column if v is not None) for column in columns),
-            FIGURES,
-            strict=True,
-        )
-    ]
+    worst = [largest(value for value in column if value is not None) for column in columns]
     results = [line.split()[-1] for line in lines[2 : 2 + len(records)]]
     result = next((v for v in ("FAIL", "over") if v in results), "ok" if records else "FAIL")
     total = [f"{len(records)} in all", "", str(len(plates)), f"{length:.3f}", f"{mass:.1f}"]
-    lines.append(_table_row([*total, *worst, result]))
+    lines.append(_table_row([*total, *_marked(worst), result]))
     limits = [f"{limit:.{digits}f}" for _, limit, digits in FIGURES]
     lines.append(_table_row(["limits", "", "", "", "", *limits, ""]))
     counts = [
@@ -269,7 +260,7 @@ def summary_lines(records: Sequence[MemberRecord], findings: Iterable[Finding]) 
         for severity in ("error", "warning", "note")
     ]
     lines.append(f"{good} of {len(records)} members within the limits; {', '.join(counts)}")
-    if any("*" in mark for record in records for mark in beyond(record)):
+    if any("*" in signs(figures(record)) for record in records):
         lines.insert(-1, "* beyond the usual, told in a note: no limit")
     return lines
 
@@ -284,17 +275,11 @@ def _facts(record: MemberRecord) -> list[str]:
     ]
 
 
-def _marked(record: MemberRecord) -> list[str]:
+def _marked(values: Sequence[float | None]) -> list[str]:
     return [
-        _figure(value, digits, mark)
-        for value, (_, _, digits), mark in zip(
-            figures(record), FIGURES, beyond(record), strict=True
-        )
+        "" if value is None else f"{value:.{digits}f}{sign}"
+        for value, (_, _, digits), sign in zip(values, FIGURES, signs(values), strict=True)
     ]
-
-
-def _figure(value: float | None, digits: int, mark: str) -> str:
-    return "" if value is None else f"{value:.{digits}f}{mark}"
 
 
 def _table_row(cells: Sequence[str]) -> str:

@@ -137,14 +137,12 @@ def write_results(
 ) -> None:
     """Write the results workbook to `path`; mm, kg, degrees at full precision.
 
-    Sheets Summary, Zones, Pieces, Plates, Points, Lines, Panels, Forming, FormingLines, Bed, Pins,
-    Control, BedFrames and Checks, header names in row 1; `findings` are those of the build,
-    the records' own are added. `project` is its title; `site`: where the model lies; `nodes`: of
-    the project, with meetings that are none, or those of the records; `length`: writes lengths of
-    findings in the unit of the sheets, beside mm; `rows`: member_rows of each record, where they
-    were made
-    before. The same input gives the same bytes. Raises
-    BendTorsionError when the file cannot be written.
+    A sheet for each table, header names in row 1. `findings` are those of the build, the records'
+    own are added. `project` is its title; `site`: where the model lies; `nodes`: of the project,
+    with meetings that are none, or those of the records; `length`: writes lengths of findings in
+    the unit of the sheets, beside mm; `rows`: member_rows of each record, where they were made
+    before. The same input gives the same bytes. Raises BendTorsionError when the file cannot be
+    written.
     """
     known = all_findings(records, findings)
     rows = [member_rows(record, site) for record in records] if rows is None else rows
@@ -154,22 +152,22 @@ def write_results(
     }
     tables = (
         Table("Summary", SUMMARY, _summary(records, known), _project(records, known, project)),
-        *(whole[name] for name in ("Zones", "Pieces", "Plates", "Points", "Lines", "Panels")),
-        whole["Edges"],
+        *(whole[n] for n in ("Zones", "Pieces", "Plates", "Points", "Lines", "Panels", "Edges")),
         *node_tables(records, nodes),
-        *(whole[name] for name in ("Joints", "Welds", "Bevels", "Bars")),
+        *(whole[n] for n in ("Joints", "Welds", "Bevels", "Bars")),
         *cutting_tables(records),
-        *(whole[name] for name in ("Forming", "FormingLines", "Bed", "Pins", "BedFrames")),
-        whole["Control"],
+        *(whole[n] for n in ("Forming", "FormingLines", "Bed", "Pins", "BedFrames", "Control")),
         _checks(known, length),
     )
     write_whole(path, xlsx_bytes(tuple(map(with_units, tables)), project))
 
 
-def member_tables(records: Sequence[MemberRecord], site: SiteDatum = AT_ORIGIN) -> list[Table]:
+def member_tables(
+    records: Sequence[MemberRecord], site: SiteDatum = AT_ORIGIN
+) -> tuple[Table, ...]:
     """The tables that hold rows of one member after the other."""
     plates = [plate for record in records for plate in record.plates]
-    tables = (
+    return (
         zone_table(records),
         piece_table(records),
         Table("Plates", PLATES, map(_plate, plates)),
@@ -183,7 +181,6 @@ def member_tables(records: Sequence[MemberRecord], site: SiteDatum = AT_ORIGIN) 
         *bed_tables([bed for record in records for bed in record.beds]),
         control_table(records, site),
     )
-    return list(map(with_units, tables))
 
 
 def member_rows(record: MemberRecord, site: SiteDatum = AT_ORIGIN) -> dict[str, RowBlock]:

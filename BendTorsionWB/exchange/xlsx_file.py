@@ -112,9 +112,11 @@ def _sheet(
     header = "".join(_text(column.name, heads[column.unit]) for column in table.columns)
     rows = _rows(table.rows, styles)
     last = 1 + sum(block.count for block in table.blocks) + len(rows)
-    notes = [f'<row r="{last + 2}">', *_rows(table.notes, styles)]
-    notes[:2] = [notes[0] + notes[1].removeprefix("<row>")] if table.notes else []
-    number = last + 1 + len(table.notes) if table.notes else last
+    notes, number = _rows(table.notes, styles), last
+    if notes:
+        # The first tells its number: it leaves a row out.
+        notes[0] = notes[0].replace("<row>", f'<row r="{last + 2}">', 1)
+        number = last + 1 + len(notes)
     widths = "".join(
         f'<col min="{n}" max="{n}" width="{column.width:g}" customWidth="1"/>'
         for n, column in enumerate(table.columns, start=1)
@@ -124,7 +126,7 @@ def _sheet(
     paper = _A3 if wide > _WIDEST_ON_A4 else _A4
     turned = "portrait" if wide <= _WIDEST_UPRIGHT else "landscape"
     # A sign that codes begin with is doubled where it is meant.
-    whose = f"{title.replace('&', '&&')}: " if title else ""
+    whose = f"{title[:_LONGEST_TITLE].replace('&', '&&')}: " if title else ""
     footer = f"&L{whose}&A&Crevision ______ by ______&R&P / &N"
     return [
         f'{_HEAD}<worksheet xmlns="{_MAIN}"><sheetPr><pageSetUpPr fitToPage="1"/></sheetPr>'

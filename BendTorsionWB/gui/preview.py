@@ -89,8 +89,9 @@ class Preview:
         for obj, inputs, bound in self.former:
             if not (is_there(obj) and obj.Name in here):
                 continue
-            for name in {**_bound(obj), **bound}:
-                if _bound(obj).get(name) != bound.get(name):
+            now = _bound(obj)
+            for name in {**now, **bound}:
+                if now.get(name) != bound.get(name):
                     obj.setExpression(name, bound.get(name))
                     changed = True
             for name, value in inputs.items():

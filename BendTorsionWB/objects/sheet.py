@@ -26,8 +26,8 @@ from BendTorsionWB.objects.proxy import Property, Proxy
 from BendTorsionWB.objects.sheet_content import (
     faulty,
     keep_record,
+    kept_record,
     laid_out,
-    record_of,
     style_of,
 )
 from BendTorsionWB.objects.sheet_pages import (
@@ -126,12 +126,13 @@ class SheetSet(Proxy):
     )
 
     def sheets(self, obj) -> tuple[Sheet, ...]:
-        """What its pages show."""
-        return laid_out(record_of(obj), style_of(obj), obj.PlatePages)
+        """What its pages show, of the record of its last recompute."""
+        return laid_out(kept_record(obj), style_of(obj), obj.PlatePages)
 
     def build(self, obj):
+        record = keep_record(obj)
         keep_pages(obj)
-        return keep_record(obj).findings
+        return record.findings
 
     def clear(self, obj):
         """Nothing: in error there is the one page that says so."""
@@ -264,31 +265,32 @@ def _add_page(sheet_set, index: int, sheet: Sheet):
     page, template = add("TechDraw::DrawPage", "Page"), add("TechDraw::DrawSVGTemplate", "Template")
     template.Template = template_path(sheet)
     page.Template = template
-    views = _add_outlines(sheet_set, index, sheet, add) if is_outlined(sheet_set) else []
+    outlined = [_add_outlines(sheet_set, index, add)] if is_outlined(sheet_set) else []
+    views = [view for _, view in outlined]
     # The list itself: addView moves views to the middle of the page, and that of FreeCAD 1.1 takes
     # no view that Python computes.
-    page.Views = [*page.Views, *views[1:], symbol]
-    for view in views[1:]:
-        configure_outline_view(view, views[0], sheet)
+    page.Views = [*page.Views, *views, symbol]
+    for outlines, view in outlined:
+        configure_outline_view(view, outlines, sheet)
         _thin_lines(view)
     configure_symbol(symbol, sheet)
     if FreeCAD.GuiUp and not views and "ShowFrames" in page.ViewObject.PropertiesList:
         page.ViewObject.ShowFrames = False
-    created = (*views[:1], template, symbol, *views[1:], page)
-    for obj in created[len(views[:1]) :]:
+    created = (template, symbol, *views, page)
+    for obj in created:
         obj.recompute()
-    after_recompute.watch(document, created)
+    after_recompute.watch(document, (*(outlines for outlines, _ in outlined), *created))
     return page
 
 
-def _add_outlines(sheet_set, index: int, sheet: Sheet, add) -> list:
+def _add_outlines(sheet_set, index: int, add) -> tuple:
     """The outlines of a page and the view that shows them."""
     outlines = add("Part::FeaturePython", "Outlines")
     PageOutlines(outlines)
     outlines.Set, outlines.Index = sheet_set, index
     outlines.Visibility = False
     outlines.recompute()
-    return [outlines, add("TechDraw::DrawViewPart", "View")]
+    return outlines, add("TechDraw::DrawViewPart", "View")
 
 
 def _thin_lines(view) -> None:

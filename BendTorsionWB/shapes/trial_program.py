@@ -36,7 +36,6 @@ def failure_in_program(path: Path, seconds: float, folder: Path) -> str:
         return ""
     answer = folder / "answer.txt"
     given = {**os.environ, FILE: str(path), ANSWER: str(answer)}
-    quiet = {"stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL}
     try:
         subprocess.run(
             [command, __file__],
@@ -44,8 +43,9 @@ def failure_in_program(path: Path, seconds: float, folder: Path) -> str:
             cwd=folder,
             timeout=seconds,
             check=False,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
-            **quiet,
         )
     except subprocess.TimeoutExpired:
         return f"it takes longer than {seconds:.0f} s"

@@ -90,7 +90,8 @@ def start_qt():
 
 
 def _paint(qt_core, qt_gui, sheets: Sequence[Sheet], path: str) -> None:
-    families = _families(qt_gui, sheets)
+    texts = [sheet.all_texts() for sheet in sheets]
+    families = _families(qt_gui, texts)
     writer = qt_gui.QPdfWriter(path)
     writer.setResolution(RESOLUTION)
     writer.setTitle(sheets[0].title)
@@ -101,7 +102,9 @@ def _paint(qt_core, qt_gui, sheets: Sequence[Sheet], path: str) -> None:
         writer.setDocumentXmpMetadata(XMP)
     painter = qt_gui.QPainter()
     try:
-        for sheet in sheets:
+        pens = {style: _pen(qt_core, qt_gui, style) for style in LINE_STYLES}
+        fonts = {}
+        for sheet, own in zip(sheets, texts, strict=True):
             writer.setPageLayout(_page_layout(qt_core, qt_gui, sheet))
             if painter.isActive():
                 writer.newPage()
@@ -109,12 +112,16 @@ def _paint(qt_core, qt_gui, sheets: Sequence[Sheet], path: str) -> None:
                 raise OSError(f"Qt cannot write {path}")
             for view in sheet.views:
                 for line in view.on_page():
-                    _draw_line(qt_core, qt_gui, painter, sheet, line)
+                    _draw_line(qt_core, qt_gui, painter, sheet, line, pens)
             for line in sheet.all_lines():
-                _draw_line(qt_core, qt_gui, painter, sheet, line)
-            for text in sheet.all_texts():
+                _draw_line(qt_core, qt_gui, painter, sheet, line, pens)
+            painter.setPen(qt_gui.QPen(qt_core.Qt.black))
+            for text in own:
                 if text.text.strip():
-                    _draw_text(qt_core, qt_gui, painter, sheet, text, families)
+                    size = round(text.height / CAP_HEIGHT * DOTS_PER_MM)
+                    if size not in fonts:
+                        fonts[size] = _font(qt_gui, size, families, writer)
+                    _draw_text(qt_core, painter, sheet, text, *fonts[size])
     finally:
         # A painter that outlives its device crashes the process.
         painter.end()
@@ -132,8 +139,8 @@ def _page_layout(qt_core, qt_gui, sheet: Sheet):
     )
 
 
-def _families(qt_gui, sheets: Sequence[Sheet]) -> list[str]:
-    """The font, and after it the one for Chinese when the sheets have any."""
+def _families(qt_gui, texts: Sequence[Sequence[Text]]) -> list[str]:
+    """The font, and after it the one for Chinese when the texts of sheets have any."""
     known = set(qt_gui.QFontDatabase().families())
     family = next((name for name in FAMILIES if name in known), None)
     if family is None:
@@ -145,7 +152,7 @@ def _families(qt_gui, sheets: Sequence[Sheet]) -> list[str]:
                 "on Debian run 'apt-get install fonts-dejavu-core'",
             )
         )
-    if not any(_is_chinese(text.text) for sheet in sheets for text in sheet.all_texts()):
+    if not any(_is_chinese(text.text) for own in texts for text in own):
         return [family]
     chinese = next((name for name in CJK_FAMILIES if name in known), None)
     if chinese is None:
@@ -161,34 +168,42 @@ def _families(qt_gui, sheets: Sequence[Sheet]) -> list[str]:
 
 
 def _is_chinese(text: str) -> bool:
-    return any("\u2e80" <= character <= "\uffef" for character in text)
+    return not text.isascii() and any("\u2e80" <= character <= "\uffef" for character in text)
 
 
-def _draw_line(qt_core, qt_gui, painter, sheet: Sheet, line: Polyline) -> None:
-    width, dashes = LINE_STYLES[line.style]
+def _pen(qt_core, qt_gui, style: str):
+    width, dashes = LINE_STYLES[style]
     pen = qt_gui.QPen(qt_core.Qt.black)
     pen.setWidthF(width * DOTS_PER_MM)
     pen.setCapStyle(qt_core.Qt.FlatCap if dashes else qt_core.Qt.RoundCap)
     pen.setJoinStyle(qt_core.Qt.RoundJoin)
     if dashes:
         pen.setDashPattern([dash / width for dash in dashes])
-    painter.setPen(pen)
+    return pen
+
+
+def _draw_line(qt_core, qt_gui, painter, sheet: Sheet, line: Polyline, pens) -> None:
+    painter.setPen(pens[line.style])
     points = [
         qt_core.QPointF(x * DOTS_PER_MM, (sheet.height - y) * DOTS_PER_MM) for x, y in line.points
     ]
     painter.drawPolyline(qt_gui.QPolygonF(points))
 
 
-def _draw_text(qt_core, qt_gui, painter, sheet: Sheet, text: Text, families) -> None:
+def _font(qt_gui, size: int, families, device) -> tuple:
+    """The font of a size in dots, and what measures its texts."""
     font = qt_gui.QFont(families[0])
     font.setFamilies(families)
-    font.setPixelSize(round(text.height / CAP_HEIGHT * DOTS_PER_MM))
+    font.setPixelSize(size)
     font.setHintingPreference(qt_gui.QFont.PreferNoHinting)
     # Any letter spacing turns ligatures off, which would not be found by a search.
     font.setLetterSpacing(qt_gui.QFont.AbsoluteSpacing, 0.04)
+    return font, qt_gui.QFontMetricsF(font, device)
+
+
+def _draw_text(qt_core, painter, sheet: Sheet, text: Text, font, metrics) -> None:
     painter.setFont(font)
-    painter.setPen(qt_gui.QPen(qt_core.Qt.black))
-    width = qt_gui.QFontMetricsF(font, painter.device()).horizontalAdvance(text.text)
+    width = metrics.horizontalAdvance(text.text)
     left = -width * {"start": 0.0, "middle": 0.5, "end": 1.0}[text.anchor]
     painter.save()
     painter.translate(text.x * DOTS_PER_MM, (sheet.height - text.y) * DOTS_PER_MM)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..geometry.piecewise import evaluate_together
+from ..geometry.piecewise import Together
 from ..geometry.vectors import dots
 from ..members.member import Member
 from ..members.piece_record import Piece
@@ -63,9 +63,7 @@ def _cuts(member: Member, wanted: Sequence[tuple[Plate, float]]) -> list[CutPlat
     at = member.frames.at(np.array([s for _, s in wanted]))
     places = [np.array([min(max(s, plate.start), plate.end)]) for plate, s in wanted]
     outer, inner = (
-        np.concatenate(
-            evaluate_together([getattr(plate.rails, level) for plate, _ in wanted], places)
-        ).reshape(-1, 2, 3)
+        Together([getattr(plate.rails, level) for plate, _ in wanted])(places).reshape(-1, 2, 3)
         for level in ("outer", "inner")
     )
     ring = np.concatenate([outer, inner[:, ::-1]], axis=1) - at.origin[:, None]

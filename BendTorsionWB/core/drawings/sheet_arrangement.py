@@ -11,7 +11,7 @@ import numpy as np
 
 from ..lofting import MemberRecord
 from .sheet import Polyline, Sheet, Table, Text, View, text_box, text_width
-from .sheet_labels import Labels, as_points, label_beyond
+from .sheet_labels import Labels, as_points, label_beyond, segments_of
 from .sheet_overview import DRAWN_TOLERANCE, HEADING, SCALES, line_ends
 from .sheet_page import TEXT, Page, Subject, finished
 from .sheet_pattern import simplified
@@ -206,7 +206,7 @@ class _Views:
         boxes = [text_box(text) for text in words]
         around = [Polyline(as_points(np.vstack([box, box[[0, 2]]]))) for box in boxes]
         lines = [*view.on_page(), *beside, *around]
-        labels = Labels(_segments(lines))
+        labels = Labels(segments_of(line.points for line in lines))
         for record in self.records:
             axis = record.wireframe.get("axis")
             if axis is None:
@@ -229,7 +229,7 @@ class _Views:
             y += float(low[up]) / scale - LABEL_ROOM + 2.0
         lines += arrow((x, y), (x + AXIS_LENGTH, y)) + arrow((x, y), (x, y + AXIS_LENGTH))
         # Members may lie along an axis: its name stands beside them.
-        labels = Labels(_segments([*view.on_page(), *lines]))
+        labels = Labels(segments_of(line.points for line in (*view.on_page(), *lines)))
         for right, above, name in ((AXIS_LENGTH + 1.0, -0.9, names[0]),
                                    (-0.6, AXIS_LENGTH + 1.0, names[1])):  # fmt: skip
             aside = (0.0, 1.7, -1.7, 3.4, -3.4, 5.1, -5.1, 6.8, -6.8, 8.5, -8.5)
@@ -248,12 +248,6 @@ def _member_ends(record: MemberRecord) -> list[np.ndarray]:
         found += [line_ends(p, "E-1") for p in own if p.s_start < first + 1.0]
         found += [line_ends(p, "E-2") for p in own if p.s_end > last - 1.0]
     return [ends for ends in found if len(ends) == 2]
-
-
-def _segments(lines: Sequence[Polyline]) -> np.ndarray:
-    """The segments (n, 2, 2) of lines on the page."""
-    parts = [np.array(line.points) for line in lines]
-    return np.concatenate([np.stack([part[:-1], part[1:]], axis=1) for part in parts])
 
 
 def _near(points: np.ndarray) -> bool:

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 
 from .sheet import Polyline, Text, boxes_overlap, text_box, text_width
@@ -27,6 +29,12 @@ ALONG = (0.5, 0.36, 0.64, 0.22, 0.78, 0.1, 0.9)  # of a line's length, where its
 def as_points(array: np.ndarray) -> tuple[tuple[float, float], ...]:
     """An (n, 2) array as plain points."""
     return tuple((float(x), float(y)) for x, y in array)
+
+
+def segments_of(runs: Iterable) -> np.ndarray:
+    """The segments (n, 2, 2) between the points, each run (k, 2), of lines."""
+    parts = [np.asarray(run) for run in runs]
+    return np.concatenate([np.stack([part[:-1], part[1:]], axis=1) for part in parts])
 
 
 class Labels:

@@ -18,7 +18,7 @@ from .sheet_node_joining import Joining
 from .sheet_node_view import node_views, spread_out
 from .sheet_node_weld import node_weld_listing, on_face, welds_of_node
 from .sheet_overview import SCALES
-from .sheet_pack import Block, packed, shelf_height
+from .sheet_pack import Block, filled, packed, shelf_height
 from .sheet_page import TEXT, Page, Subject, finished
 from .sheet_style import PLAIN_STYLE, SheetStyle, fixed
 from .sheet_tables import ROW_HEIGHT, TITLE_ROOM, Listing, table_blocks
@@ -171,10 +171,19 @@ def node_pages(
 
 
 def _arranged(views: list[Block], rest: list[Block], area) -> list[list[Block]]:
-    """The blocks of each page: the views, the rest in rows of its own where one page holds all,
-    else filled in from where the views end."""
+    """The blocks of each page: the views, the rest in rows of its own where one page holds all;
+    else filled in without rows, at need the larger first; else on several pages."""
+    left, bottom, right, top = area
     pages = packed([views, rest], area)
-    return pages if len(pages) == 1 else packed([[*views, *rest]], area)
+    if len(pages) == 1:
+        return pages
+    for order in (rest, sorted(rest, key=lambda block: -block.size[0] * block.size[1])):
+        blocks = [*views, *order]
+        places, high = filled([block.size for block in blocks], right - left)
+        if high <= top - bottom:
+            spots = zip(blocks, places, strict=True)
+            return [[b.moved(left + x - b.box[0], top - y - b.box[3]) for b, (x, y) in spots]]
+    return packed([[*views, *rest]], area)
 
 
 def _below(

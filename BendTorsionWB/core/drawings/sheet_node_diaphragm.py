@@ -11,7 +11,7 @@ from ..lofting import DevelopedPlate, MemberRecord
 from ..nodes.node_ends import axis_at
 from .sheet import Polyline, Text, View, text_box, text_width
 from .sheet_inner import label_inner
-from .sheet_labels import Labels, as_points, label_along, label_beyond
+from .sheet_labels import Labels, as_points, label_along, label_beyond, segments_of
 from .sheet_node_joining import Joining, node_frame
 from .sheet_pack import Block
 from .sheet_pattern import DRAWN_TOLERANCE, dimensions, simplified
@@ -135,8 +135,7 @@ def diaphragm_block(plate: DevelopedPlate, scale: int, style: SheetStyle) -> Blo
     outline = [simplified(run - corner, tolerance) for run in plate.outline]
     inner = [simplified(run - corner, tolerance) for hole in plate.holes for run in hole.runs]
     curves = [*outline, *inner]
-    segments = np.concatenate([np.stack([run[:-1], run[1:]], axis=1) for run in curves]) / scale
-    labels = Labels(segments)
+    labels = Labels(segments_of(curves) / scale)
     ring = (corners(plate) - corner) / scale
     middle = ring.mean(axis=0)
     size = np.concatenate(outline).max(axis=0)

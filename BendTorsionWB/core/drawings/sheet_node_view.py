@@ -17,7 +17,14 @@ from ..geometry import arc_contour
 from ..lofting import DevelopedPlate, MemberRecord
 from ..nodes.node_ends import axis_at, corner_lines, middle_at, ring
 from .sheet import Polyline, Text, View, text_box
-from .sheet_labels import LABEL_HEIGHT, Labels, as_points, label_along, label_beyond
+from .sheet_labels import (
+    LABEL_HEIGHT,
+    Labels,
+    as_points,
+    label_along,
+    label_beyond,
+    segments_of,
+)
 from .sheet_node_joining import Joining, node_frame
 from .sheet_node_weld import Pointed, point_at, pointed
 from .sheet_pack import GAP, Block
@@ -238,13 +245,7 @@ def _view(number: int, views: NodeViews, scale: int, named: set[str]) -> Block:
     lines += [Polyline(as_points((end.corners - place) @ plane), "wide") for end in ends]
     chains = {name: (line - place) @ plane for name, line in axes.items()}
     lines += [Polyline(as_points(line), "chain") for line in chains.values()]
-    segments = np.concatenate(
-        [
-            np.stack([np.array(line.points[:-1]), np.array(line.points[1:])], axis=1)
-            for line in lines
-        ]
-    )
-    labels = Labels(segments / scale)
+    labels = Labels(segments_of(line.points for line in lines) / scale)
     paper = plane / scale
     if number == 0:
         for name, line in chains.items():

@@ -13,7 +13,7 @@ from ..lofting import DevelopedPlate, MemberRecord
 from ..nodes.node_ends import ring
 from ..welds.weld_record import Weld
 from .sheet import Polyline, text_box
-from .sheet_labels import Labels
+from .sheet_labels import Labels, segments_of
 from .sheet_node_diaphragm import inside
 from .sheet_node_joining import Joining
 from .sheet_style import SheetStyle
@@ -183,12 +183,6 @@ def point_at(
             continue
         box = np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
         arrow = weld_arrow(weld.prep, at, tip, style)
-        if labels.put_group(box, texts, _segments(arrow)):
+        if labels.put_group(box, texts, segments_of(line.points for line in arrow)):
             return [*lines, *arrow]
     return []
-
-
-def _segments(lines: Sequence[Polyline]) -> np.ndarray:
-    """The segments (n, 2, 2) of polylines."""
-    pairs = [pair for line in lines for pair in zip(line.points[:-1], line.points[1:], strict=True)]
-    return np.array(pairs)

@@ -30,6 +30,8 @@ ARROW_ROOM = 26.0
 """mm left of a view, for the orientation at the start."""
 END_ROOM = 4.0
 """mm right of a view."""
+NEAR = 0.5
+"""mm; a text farther from a line needs no closer look."""
 DIMENSION_ROOM = 6.0
 """mm above a view with its overall length."""
 
@@ -308,18 +310,20 @@ def _draw_places(places, page, scale, sides, y: float, texts, leaders) -> float:
     wanted = [float(page[0] + place.point[0] / scale) for place in ordered]
     left, right = sides
     spacing = min(PLACE_SPACING, (right - left) / len(wanted))
-    boxes = [text_box(text) for text in texts]
+    boxes = np.array([text_box(text) for text in texts])
+    low, high = boxes.min(axis=1) - NEAR, boxes.max(axis=1) + NEAR
     level = y - 3.0
     for place, x, want in zip(
         ordered, spread(wanted, spacing, left + 2.0, right - 1.0), wanted, strict=True
     ):
-        high = float(page[1] + place.point[1] / scale)
+        end = float(page[1] + place.point[1] / scale)
         texts.append(
             Text(x + 0.5 * PLACE_HEIGHT, level - 0.8, PLACE_HEIGHT, place.text, 90.0, "end")
         )
-        line = np.array([(want - 0.2, y), (want + 0.2, y), (want + 0.2, high), (want - 0.2, high)])
-        clear = not any(boxes_overlap(line, box, 0.2) for box in boxes)
-        leaders.append(Polyline(((x, level), (want, y), *(((want, high),) if clear else ()))))
+        line = np.array([(want - 0.2, y), (want + 0.2, y), (want + 0.2, end), (want - 0.2, end)])
+        near = ((low < line.max(axis=0)) & (line.min(axis=0) < high)).all(axis=1)
+        clear = not any(boxes_overlap(line, box, 0.2) for box in boxes[near])
+        leaders.append(Polyline(((x, level), (want, y), *(((want, end),) if clear else ()))))
     return level - 1.6 - max(text_width(place.text, PLACE_HEIGHT) for place in ordered)
 
 

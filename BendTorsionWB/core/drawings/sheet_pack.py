@@ -82,6 +82,33 @@ def shelf_height(sizes: Sequence[tuple[float, float]], width: float) -> float:
     return y + row.height
 
 
+def filled(sizes: Sequence[tuple[float, float]], width: float) -> tuple[list, float]:
+    """Where blocks of these sizes go, (right, down) of each, set one after another as high as they
+    go and then as far left, GAP apart; and the height they take (bottom-left filling along the
+    skyline)."""
+    skyline = [(0.0, 0.0)]  # where each step starts, and how far down it is taken
+    places, lowest = [], 0.0
+    for wide, high in sizes:
+        tried = []
+        for start, _ in skyline:
+            if start == 0.0 or start + wide <= width + 1e-6:
+                ends = [x for x, _ in skyline[1:]] + [width]
+                under = zip(skyline, ends, strict=True)
+                down = max(d for (x, d), e in under if e > start and x < start + wide + GAP)
+                tried.append((down, start))
+        down, x = min(tried)
+        places.append((x, down))
+        lowest = max(lowest, down + high)
+        end = x + wide + GAP
+        after = [d for at, d in skyline if at <= end][-1]
+        kept = [step for step in skyline if not x <= step[0] <= end]
+        steps = [*kept, (x, down + high + GAP)]
+        if end < width:
+            steps.append((end, after))
+        skyline = sorted(steps)
+    return places, lowest
+
+
 def packed(
     groups: Sequence[Sequence[Block]], area: tuple[float, float, float, float]
 ) -> list[list[Block]]:

@@ -15,7 +15,14 @@ from ..patterns.forming_record import FormingRecord
 from ..welds.bevel_record import EdgeBevel
 from .sheet import Polyline, Text, View, text_box, text_width, wrapped
 from .sheet_inner import hole_middle, label_inner
-from .sheet_labels import LABEL_HEIGHT, Labels, as_points, label_along, label_beyond
+from .sheet_labels import (
+    LABEL_HEIGHT,
+    Labels,
+    as_points,
+    label_along,
+    label_beyond,
+    segments_of,
+)
 from .sheet_pack import Block
 from .sheet_references import reference
 from .sheet_style import PLAIN_STYLE, SheetStyle, fixed
@@ -113,7 +120,7 @@ def pattern_block(
         *(Polyline(as_points(line), "narrow") for line in marked),
     )
     curves = [*outline, *inner, *marked]
-    edges = np.concatenate([np.stack([run[:-1], run[1:]], axis=1) for run in curves])
+    edges = segments_of(curves)
     rulings = np.array(stations + folds + rolled).reshape(-1, 2, 2)
     crosses = [] if part else _cross(np.zeros(2), 1.6)
     for point in plate.points:

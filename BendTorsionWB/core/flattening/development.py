@@ -329,10 +329,7 @@ def flat_area(development: Development) -> float:
     """Area of the flat pattern, mm2, by quadrature of the finished map's Jacobian."""
     plane = development.plane
     if development.correction is None:
-        value, slope = plane.values, plane.derivative.values
-        angle = value[..., 2].copy()
-        along = slope[..., 0] * np.cos(angle) + slope[..., 1] * np.sin(angle)
-        strip = value[..., 3] * along - 0.5 * value[..., 3] ** 2 * slope[..., 2]
+        strip = ruling_area(plane.values, plane.derivative.values)
         return float(Piecewise(plane.breaks, strip[..., None]).integral()[0])
     correction = development.correction
     breaks = np.unique(np.concatenate([plane.breaks, correction.breaks]))
@@ -342,6 +339,14 @@ def flat_area(development: Development) -> float:
     by_s, by_w = development.jacobian(np.repeat(s, 8), np.tile(0.5 * (nodes + 1.0), len(s)))
     density = _cross(by_s, by_w).reshape(len(half), 8, 8)
     return float((density * weights[:, None] * weights * (0.5 * half)[:, None, None]).sum())
+
+
+def ruling_area(plane: np.ndarray, slope: np.ndarray) -> np.ndarray:
+    """Area (...) swept in the plane by rigid rulings per unit of s, from values and rates (..., 4)
+    of the plane."""
+    angle = plane[..., 2].copy()
+    along = slope[..., 0] * np.cos(angle) + slope[..., 1] * np.sin(angle)
+    return plane[..., 3] * along - 0.5 * plane[..., 3] ** 2 * slope[..., 2]
 
 
 def _guard(name: str, rails: Piecewise, positive: np.ndarray, problem: str, unit: str) -> None:

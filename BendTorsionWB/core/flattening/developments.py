@@ -14,10 +14,19 @@ from ..geometry.piecewise import (
     Together,
     derivatives_together,
     integrals_together,
+    parted,
     with_rates_together,
 )
 from ..geometry.vectors import crossed, dots
-from .development import Development, Rulings, flat_area, ruling_strain, rulings_of, strain_at_nodes
+from .development import (
+    Development,
+    Rulings,
+    flat_area,
+    ruling_area,
+    ruling_strain,
+    rulings_of,
+    strain_at_nodes,
+)
 from .surface_shape import SurfaceShape, shape_from
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(4)
@@ -36,29 +45,32 @@ class Developments:
         return self.each[0].correction is not None
 
     @cached_property
-    def pieces(self) -> np.ndarray:
+    def pieces(self) -> list[int]:
         """Number of pieces of each."""
-        return np.array([len(one.surface.values) for one in self.each])
+        return [len(one.surface.values) for one in self.each]
+
+    @cached_property
+    def _rails(self) -> list[Piecewise]:
+        return with_rates_together([one.surface for one in self.each])
 
     @cached_property
     def surface(self) -> np.ndarray:
         """Values, rates and second rates (m, nodes, 18) of the rails of all."""
-        whole = with_rates_together([one.surface for one in self.each])
-        return np.concatenate([one.values for one in whole])
+        return np.concatenate([one.values for one in self._rails])
 
     @cached_property
     def plane(self) -> np.ndarray:
         """Values and rates (m, nodes, 8) of the planes of all."""
         planes = [one.plane for one in self.each]
-        values = [np.concatenate([p.values for p in planes])]
-        values.append(np.concatenate([p.values for p in derivatives_together(planes)]))
-        return np.concatenate(values, axis=2)
+        levels = planes, derivatives_together(planes)
+        return np.concatenate(
+            [np.concatenate([one.values for one in level]) for level in levels], axis=2
+        )
 
     @cached_property
     def _both(self) -> Together:
-        ends = np.cumsum(self.pieces)
         whole = np.concatenate([self.surface[..., :6], self.plane[..., :4]], axis=2)
-        parts = [whole[end - n : end] for end, n in zip(ends, self.pieces, strict=True)]
+        parts = parted(whole, self.pieces)
         return Together(
             [Piecewise(one.plane.breaks, part) for one, part in zip(self.each, parts, strict=True)]
         )
@@ -83,9 +95,13 @@ class Developments:
         inside = self.surface[:, 1:-1].reshape(-1, 18)
         return shape_from(inside[:, :6], inside[:, 6:12], inside[:, 12:], w)
 
+    @cached_property
+    def _rails_together(self) -> Together:
+        return Together(self._rails)
+
     def rails_at(self, places: Sequence[np.ndarray]) -> np.ndarray:
         """Values, rates and second rates (m, 18) of the rails at places (n,) of each."""
-        return Together(with_rates_together([one.surface for one in self.each]))(places)
+        return self._rails_together(places)
 
     def strain_at_nodes(self, w: np.ndarray) -> np.ndarray:
         """strain() at all nodes of the pieces, both sides of a fold each with its own limit."""
@@ -98,11 +114,7 @@ class Developments:
         """Areas of the flat patterns, mm2."""
         if self.corrected:
             return np.array([flat_area(one) for one in self.each])
-        value, slope = self.plane[..., :4], self.plane[..., 4:]
-        angle = value[..., 2].copy()
-        along = slope[..., 0] * np.cos(angle) + slope[..., 1] * np.sin(angle)
-        strip = value[..., 3] * along - 0.5 * value[..., 3] ** 2 * slope[..., 2]
-        return self._integrals(strip)
+        return self._integrals(ruling_area(self.plane[..., :4], self.plane[..., 4:]))
 
     def curved_areas(self) -> np.ndarray:
         """Areas of the ruled surfaces, mm2, by Gauss quadrature across."""

@@ -148,7 +148,7 @@ def inner_nodes(contour: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 def inside(contour: np.ndarray, points: np.ndarray) -> np.ndarray:
     """(n,) whether points (n, 2) lie inside the contour, by crossings with its dense sides."""
-    ring = np.concatenate([run[:-1] for run in runs(contour, 0.01)])
+    ring = _ring(contour, 0.01)
     a, b = ring[None], np.roll(ring, -1, axis=0)[None]
     x, y = points[:, :1], points[:, 1:]
     level = (a[..., 1] > y) != (b[..., 1] > y)
@@ -159,13 +159,20 @@ def inside(contour: np.ndarray, points: np.ndarray) -> np.ndarray:
 
 def clearance(contour: np.ndarray, points: np.ndarray) -> float:
     """Smallest distance of points (n, 2) from the contour; negative when one lies outside."""
-    ring = np.concatenate([run[:-1] for run in runs(contour, 0.01)])
+    ring = _ring(contour, 0.01)
     step = np.roll(ring, -1, axis=0) - ring
     off = points[:, None] - ring[None]
     share = (off * step).sum(axis=2) / (step * step).sum(axis=1)
     away = off - np.minimum(np.maximum(share, 0.0), 1.0)[..., None] * step
     distance = np.sqrt((away * away).sum(axis=2)).min()
     return float(distance if inside(contour, points).all() else -distance)
+
+
+def _ring(contour: np.ndarray, sagitta: float) -> np.ndarray:
+    """The points of the dense sides once each, (n, 2)."""
+    if (np.abs(contour[:, 2]) < _STRAIGHT).all():
+        return contour[:, :2]
+    return np.concatenate([run[:-1] for run in runs(contour, sagitta)])
 
 
 def _count(contour: np.ndarray, k: int, sagitta: float) -> int:
@@ -178,6 +185,8 @@ def _count(contour: np.ndarray, k: int, sagitta: float) -> int:
 
 
 def _along(contour: np.ndarray, k: int, count: int) -> np.ndarray:
+    if count == 1:
+        return contour[[k, (k + 1) % len(contour)], :2]
     points = _side(contour, k, np.arange(count + 1) / count)[0]
     points[0], points[-1] = contour[k, :2], contour[(k + 1) % len(contour), :2]
     return points

@@ -161,7 +161,7 @@ class Together:
 
     def __init__(self, functions: Sequence[Piecewise]):
         self._inner = [f.breaks[1:-1] for f in functions]
-        self._base = list(accumulate((len(f.values) for f in functions), initial=0))
+        self._base = list(accumulate((len(f.values) for f in functions[:-1]), initial=0))
         self._low = np.concatenate([f.breaks[:-1] for f in functions])
         self._high = np.concatenate([f.breaks[1:] for f in functions])
         self._values = np.concatenate([f.values for f in functions])
@@ -170,7 +170,7 @@ class Together:
         """Values (n, d), function after function, each at its own places (k,). side: as of a call
         of Piecewise, or `inside`: later, but the last place of each belongs to the span before."""
         where = []
-        for inner, base, s in zip(self._inner, self._base, places, strict=False):
+        for inner, base, s in zip(self._inner, self._base, places, strict=True):
             own = inner.searchsorted(s, "left" if side == "earlier" else "right")
             if side == "inside":
                 own[-1] = inner.searchsorted(s[-1], "left")
@@ -208,13 +208,15 @@ def derivatives_together(functions: Sequence[Piecewise]) -> list[Piecewise]:
 
 def with_rates_together(functions: Sequence[Piecewise]) -> list[Piecewise]:
     """`with_rates` of functions of one width, in one sweep; each is kept as its function's own."""
-    rates = derivatives_together(functions)
-    bends = derivatives_together(rates)
-    whole = np.concatenate(
-        [np.concatenate([f.values for f in parts]) for parts in (functions, rates, bends)], axis=2
-    )
-    for f, part in zip(functions, parted(whole, [len(f.values) for f in functions]), strict=True):
-        vars(f).setdefault("with_rates", Piecewise(f.breaks, part))
+    new = [f for f in functions if "with_rates" not in vars(f)]
+    if new:
+        rates = derivatives_together(new)
+        levels = new, rates, derivatives_together(rates)
+        whole = np.concatenate(
+            [np.concatenate([f.values for f in level]) for level in levels], axis=2
+        )
+        for f, part in zip(new, parted(whole, [len(f.values) for f in new]), strict=True):
+            vars(f)["with_rates"] = Piecewise(f.breaks, part)
     return [f.with_rates for f in functions]
 
 

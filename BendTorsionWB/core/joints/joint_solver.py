@@ -41,7 +41,7 @@ class JointRules:
     narrowest_lane: float = 0.25
     """Of the face's width."""
     stock: tuple[StockSheet, ...] = ()
-    """What the schedule says of it, instead of longest and widest."""
+    """Sheets the schedule gives, which hold instead of longest_piece and widest_piece."""
 
     def within_stock(self, plates: Iterable[tuple[float, str]]) -> JointRules:
         """The rules with longest and widest piece of the stock there is for all of these

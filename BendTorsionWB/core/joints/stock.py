@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from ..finding import BendTorsionError, error
 
 _NUMBER = r"[0-9]+(?:\.[0-9]+)?"
+_THICKNESS = re.compile(rf"(?<!\S)({_NUMBER})(?:\s*mm)?(?!\S)", re.IGNORECASE)
 _SIZE = re.compile(rf"({_NUMBER})\s*[x×*]\s*({_NUMBER})", re.IGNORECASE)
 SMALLEST, LARGEST = 200.0, 50000.0
 """mm; sides of a sheet."""
@@ -34,13 +35,13 @@ def stock_of(words: object) -> tuple[StockSheet, ...]:
     sheets = []
     for part in filter(None, (part.strip() for part in re.split(r"[;\n]", str(words or "")))):
         size = _SIZE.search(part)
-        before = part[: size.start()].replace(",", " ").split() if size else []
-        numbers = [word for word in before if re.fullmatch(_NUMBER, word.removesuffix("mm"))]
-        grades = [word for word in before if word not in numbers]
+        before = part[: size.start()].replace(",", " ") if size else ""
+        numbers = _THICKNESS.findall(before)
+        grades = _THICKNESS.sub(" ", before).split()
         if not size or part[size.end() :].strip() or len(numbers) > 1 or len(grades) > 1:
             raise _unread(part)
         length, width = float(size[1]), float(size[2])
-        thickness = float(numbers[0].removesuffix("mm")) if numbers else None
+        thickness = float(numbers[0]) if numbers else None
         if not SMALLEST <= width <= length <= LARGEST or thickness == 0.0:
             raise _unread(part)
         sheets.append(StockSheet(length, width, thickness, grades[0] if grades else ""))

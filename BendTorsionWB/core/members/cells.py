@@ -113,8 +113,16 @@ class SectionLaw:
     @property
     def plate_kinds(self) -> set[tuple[float, str]]:
         """Thickness and grade of all plates."""
-        kinds = (zip(c.thickness.tolist(), c.materials, strict=True) for c in self.cells)
-        return {(thickness, grade.name) for own in kinds for thickness, grade in own}
+        return {
+            (thickness, grade.name)
+            for cell in self.cells
+            for thickness, grade in zip(cell.thickness.tolist(), cell.materials, strict=True)
+        }
+
+    def cell_at(self, s: float) -> Cell:
+        """The cell an arc length lies in, the first of two that meet there; beyond the ends that
+        at the end."""
+        return next((cell for cell in self.cells if s <= cell.end), self.cells[-1])
 
     def joints_of(self, strip: int) -> tuple[float, ...]:
         """Arc lengths between the ends at which the section asks a face to be cut."""

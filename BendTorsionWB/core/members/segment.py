@@ -181,9 +181,7 @@ def _first_cut(member: str, segments: Sequence[Segment], axis: Span) -> list[Fin
 
 def _pattern(strip: Strip) -> tuple:
     """What of a strip must not change along a member."""
-    stops = [
-        stop and (stop.face, stop.at) for stop in (strip.stops_at_first, strip.stops_at_second)
-    ]
+    stops = [stop and (stop.face, stop.at) for stop in strip.stops]
     return strip.face, strip.letter, strip.first, strip.second, strip.inward, strip.line, *stops
 
 

@@ -232,9 +232,8 @@ def _resolved(member: Member, blocks: list[_Block], strips: Sequence[int]) -> li
     pending = list(range(len(blocks)))
     halves: list[list[float]] = [[] for _ in blocks]
     for _ in range(MOST_HALVINGS):
-        rough = dict(
-            zip(pending, unresolved([made[k] for k in pending], tolerances.RAILS_RESOLVED))
-        )
+        spans = unresolved([made[k] for k in pending], tolerances.RAILS_RESOLVED)
+        rough = dict(zip(pending, spans, strict=True))
         pending = [k for k in pending if len(rough[k])]
         if not pending:
             break

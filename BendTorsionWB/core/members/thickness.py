@@ -73,10 +73,9 @@ class Chamfer:
     @property
     def depths(self) -> tuple[float, float]:
         """What it takes off the outer and off the inner face at the end of the plate, mm."""
-        return tuple(self.depth if self.faces in (face, "both") else 0.0 for face in _FACES)
-
-
-_FACES = ("outer", "inner")
+        return tuple(
+            self.depth if self.faces in (face, "both") else 0.0 for face in ("outer", "inner")
+        )
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,12 +15,13 @@ from .. import tolerances
 from ..geometry.piecewise import (
     DEGREE,
     Piecewise,
+    Together,
     derivatives_together,
     evaluate_together,
     integrals_together,
     span_nodes,
 )
-from ..geometry.vectors import dots
+from ..geometry.vectors import crossed, dots
 from .member import Member, stretch
 from .skin import SkinPiece, values_and_rates
 from .strips import StripRails
@@ -138,7 +139,7 @@ def _enclosed(
     starts = np.concatenate([[0], np.cumsum(counts)[:-1]])
     through = np.add.reduceat(flux, starts)
     rings = ends - middle[:, None, None]
-    area = 0.5 * _cross(rings, np.roll(rings, -1, axis=2)).sum(axis=2)
+    area = 0.5 * crossed(rings, np.roll(rings, -1, axis=2)).sum(axis=2)
     caps = (area * rings.mean(axis=2)).sum(axis=2) / 3.0
     return np.abs(through + caps[:, 0] - caps[:, 1]).tolist()
 
@@ -148,14 +149,9 @@ def _flux(rails: np.ndarray, rates: np.ndarray) -> np.ndarray:
     across, spread = np.roll(rails, -1, axis=1) - rails, np.roll(rates, -1, axis=1) - rates
     total = np.zeros(len(rails))
     for w in (0.5 - np.sqrt(1 / 12), 0.5 + np.sqrt(1 / 12)):
-        flux = _cross(rates + w * spread, across) * (rails + w * across)
+        flux = crossed(rates + w * spread, across) * (rails + w * across)
         total += flux.sum(axis=(1, 2)) / 6.0
     return total
-
-
-def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Cross products over the last axis."""
-    return a[..., [1, 2, 0]] * b[..., [2, 0, 1]] - a[..., [2, 0, 1]] * b[..., [1, 2, 0]]
 
 
 def section_integrals(member: Member, strips: Sequence[StripRails]) -> np.ndarray:
@@ -174,7 +170,7 @@ def section_integrals(member: Member, strips: Sequence[StripRails]) -> np.ndarra
     s = np.concatenate(places)
     at = member.frames.at(s)
     outer, inner = (
-        np.concatenate(evaluate_together(rails, places)).reshape(-1, 2, 3)
+        Together(rails)(places).reshape(-1, 2, 3)
         for rails in ([rails.outer for rails in strips], [rails.inner for rails in strips])
     )
     ring = np.stack([outer[:, 0], outer[:, 1], inner[:, 1], inner[:, 0]], axis=1)

@@ -220,10 +220,7 @@ def _face_steps(
 def _gaps(section: Section) -> np.ndarray:
     """Root gaps (strips, 2) of a section at the first and second ends."""
     return np.array(
-        [
-            [stop[1] if stop else 0.0 for stop in (strip.stops_at_first, strip.stops_at_second)]
-            for strip in section.strips
-        ]
+        [[stop[1] if stop else 0.0 for stop in strip.stops] for strip in section.strips]
     )
 
 

@@ -17,6 +17,7 @@ from .node_cut import NodeCut, node_cut, outer_lines
 from .node_faces import outer_faces
 from .node_input import NodeInput, NodeRules
 from .node_landing import reach
+from .node_meetings import Meeting
 
 LEAST_DEPTH = 1e-3
 """mm; branches that overlap by less do not touch."""
@@ -30,19 +31,30 @@ class Beside:
     """Two branches that meet within a node, and the row or the ranks that say which of them is the
     earlier (`row.through`); None where nothing does."""
 
-    through: str
     one: Branch
     other: Branch
     row: NodeInput | None
 
 
-def both_pass(through: str, one: Branch, other: Branch) -> list[Finding]:
+def branches_met(meeting: Meeting, branches: Sequence[Branch]) -> tuple[Branch, Branch] | None:
+    """The two branches, ending on one member, that a meeting is of, where it lies within their
+    node; None of any other."""
+    for one in branches:
+        if one.member != meeting.one or not one.takes(meeting.at.first):
+            continue
+        for other in branches:
+            alike = other.through == one.through and other.member == meeting.other
+            if alike and other.takes(meeting.at.second):
+                return one, other
+    return None
+
+
+def both_pass(one: Branch, other: Branch) -> list[Finding]:
     """Errors of two branches that both pass through one place of a third member."""
     return _errors(
         "node-three-through",
-        f"{one.member}, {other.member} and {through} all pass through one place",
+        f"{one.member}, {other.member} and {one.through} all pass through one place",
         "end one of them at the node, or move it along",
-        through,
         (one, other),
         3,
         2,
@@ -64,13 +76,13 @@ def cut_beside(
     findings: list[Finding] = []
     for pair in pairs:
         one, other = by_key.get(_key(pair.one)), by_key.get(_key(pair.other))
-        if one is None or other is None or pair.through != through.name:
+        if one is None or other is None or one.through != through.name:
             continue
         depths = overlaps(one, other, members)
         if not depths:
             continue
         if pair.row is None:
-            findings += _unordered(through.name, one, other, max(depths.values()))
+            findings += _unordered(one, other, max(depths.values()))
             continue
         first, later = (one, other) if pair.row.through == one.member else (other, one)
         for ways in depths:
@@ -99,7 +111,7 @@ def cut_beside(
                 branch = branch and branch.at_node(node)
             findings += faults
             made[key] = branch or by_key[key]
-    findings += _in_circles(through.name, [by_key[key] for key in waiting])
+    findings += _in_circles([by_key[key] for key in waiting])
     failed = {name for finding in findings for name in finding.objects}
     return tuple(made[k] for k in by_key if k in made and k[0] not in failed), findings
 
@@ -121,7 +133,6 @@ def _against(node, branch, order, made, members, rules) -> tuple[tuple, list[Fin
                 "node-blend-overlap",
                 f"{branch.member} ends on {first.member}, which is blended",
                 "do not blend the node, or move one of them along",
-                first.row.through,
                 (branch, first),
             )
             continue
@@ -131,7 +142,6 @@ def _against(node, branch, order, made, members, rules) -> tuple[tuple, list[Fin
                 "node-angle",
                 f"{branch.member} ends on {first.member} at too small an angle",
                 "turn one of them, or move it along",
-                first.row.through,
                 (branch, first),
                 math.degrees(sharpest),
                 math.degrees(rules.least_angle),
@@ -203,13 +213,12 @@ def _deepest(lines, depth) -> float:
     return best
 
 
-def _unordered(through: str, one: Branch, other: Branch, depth: float) -> list[Finding]:
+def _unordered(one: Branch, other: Branch, depth: float) -> list[Finding]:
     return _errors(
         "node-branches-overlap",
-        f"{one.member} and {other.member} overlap where they land on {through}, and nothing says "
-        "which of them ends on the other",
+        f"{one.member} and {other.member} overlap where they land on {one.through}, and nothing "
+        "says which of them ends on the other",
         "give them different ranks or a row of sheet Nodes, or move one of them along",
-        through,
         (one, other),
         depth,
         0.0,
@@ -217,31 +226,28 @@ def _unordered(through: str, one: Branch, other: Branch, depth: float) -> list[F
     )
 
 
-def _in_circles(through: str, branches: Sequence[Branch]) -> list[Finding]:
+def _in_circles(branches: Sequence[Branch]) -> list[Finding]:
     if not branches:
         return []
     names = ", ".join(branch.member for branch in branches)
     return _errors(
         "node-three-through",
-        f"{names} each run through another of them on {through}",
+        f"{names} each run through another of them on {branches[0].through}",
         "delete one of the rows between them",
-        through,
         branches,
         len(branches),
         1,
     )
 
 
-def _errors(
-    code, message, mend, through, branches, value=None, limit=None, unit=""
-) -> list[Finding]:
+def _errors(code, message, mend, branches, value=None, limit=None, unit="") -> list[Finding]:
     return [
         error(
             code,
             BETWEEN.join(branch.member for branch in branches),
             message,
             mend,
-            position=f"s = {branches[0].s_through:.0f} mm of {through}",
+            position=branches[0].place,
             value=value,
             limit=limit,
             unit=unit,

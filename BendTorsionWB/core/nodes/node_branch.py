@@ -11,19 +11,15 @@ import numpy as np
 
 from .. import tolerances
 from ..finding import BETWEEN, Finding, error
-from ..members.cells import Cell
 from ..members.member import Member
 from ..plates.flat_plate import FlatPlate
 from .node_blend import Blend
 from .node_cut import NodeCut
-from .node_faces import wall_thickness
-from .node_input import NodeInput, NodeRules
-from .node_landing import Landing, Side, crossing_angle, landed
+from .node_faces import OuterFaces, wall_thickness
+from .node_input import ALMOST, NodeInput, NodeRules
+from .node_landing import Landing, Side, crossing_angle, landed, seat_of
 from .node_record import FlangeStep
 from .node_transition import transition_findings
-
-ALMOST = 1e-6
-"""mm; what is as near to its limit is at it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,9 +48,24 @@ class Branch:
     against: tuple[tuple[int, NodeCut], ...] = ()
 
     @property
+    def through(self) -> str:
+        """The member that runs through."""
+        return self.row.through
+
+    @property
+    def place(self) -> str:
+        """Where it is, for findings."""
+        return _place(self.row, self.s_through)
+
+    @property
+    def faces(self) -> OuterFaces:
+        """The outer faces of the through member."""
+        return self.sides[0].cut.main.faces
+
+    @property
     def seat(self) -> tuple[float, float]:
         """The stretch of the through member's axis all sides land on, mm."""
-        return min(side.seat[0] for side in self.sides), max(side.seat[1] for side in self.sides)
+        return seat_of(self.sides)
 
     @property
     def cut_range(self) -> tuple[float, float]:
@@ -122,11 +133,11 @@ def branch_at(
     if findings:
         return None, findings
     p, q = (m.frames.axis.position(np.array([at]))[0] for m, at in ((through, s), (other, t)))
-    low, high = min(x.seat[0] for x in sides), max(x.seat[1] for x in sides)
-    depth = float(np.ptp(_cell_near(through, s).corners_at(np.array([s]))[0][:, 1]))
+    low, high = seat_of(sides)
+    depth = float(np.ptp(through.law.cell_at(s).corners_at(np.array([s]))[0][:, 1]))
     corner = len(sides) == 1 and (low < depth or high > through.length - depth)
     tangent = other.frames.axis.tangent(np.array([t]))[0]
-    made = Branch(
+    branch = Branch(
         other.name,
         t,
         s,
@@ -137,8 +148,9 @@ def branch_at(
         gap,
         t + float(((p - q) * tangent).sum()),
         corner,
+        against=against,
     )
-    return replace(made, against=against), []
+    return branch, []
 
 
 def _worst(findings: Sequence[Finding]) -> list[Finding]:
@@ -165,7 +177,7 @@ def _place(row: NodeInput, s: float) -> str:
 
 def up(length: float) -> int:
     """A length in whole mm that is enough."""
-    return math.ceil(length - 1e-6)
+    return math.ceil(length - ALMOST)
 
 
 def _overhang_findings(landings: Sequence[Landing], other: Member, s, row, rules) -> list[Finding]:
@@ -173,7 +185,9 @@ def _overhang_findings(landings: Sequence[Landing], other: Member, s, row, rules
     worst: dict[str, tuple[float, float, str]] = {}
     for one in landings:
         over, on = one.over
-        limit = rules.overhang * float(min(_cell_at(other, one.side).thickness))
+        side = one.side
+        cell = other.law.cell_at(side.low if side.way < 0 else side.high)
+        limit = rules.overhang * float(min(cell.thickness))
         member, _, face = on.rpartition(" ")
         if over > limit + ALMOST and over > worst.get(member, (0.0,))[0]:
             worst[member] = over, limit, face
@@ -192,17 +206,6 @@ def _overhang_findings(landings: Sequence[Landing], other: Member, s, row, rules
         )
         for member, (over, limit, face) in worst.items()
     ]
-
-
-def _cell_at(member: Member, side: Side) -> Cell:
-    """The cell of a branch at its cut."""
-    return _cell_near(member, side.low if side.way < 0 else side.high)
-
-
-def _cell_near(member: Member, place: float) -> Cell:
-    cells = member.law.cells
-    found = next((cell for cell in cells if cell.start <= place <= cell.end), None)
-    return found or cells[0 if place < 0 else -1]
 
 
 def _gap_findings(through, other, gap, s, t, row, rules) -> list[Finding]:

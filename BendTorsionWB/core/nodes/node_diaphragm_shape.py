@@ -21,7 +21,8 @@ from .node_branch import Branch
 from .node_cut import FACING, landings
 from .node_faces import OuterFaces
 
-_SAMPLES = np.linspace(0.0, 1.0, 9)
+SAMPLES = np.linspace(0.0, 1.0, 9)
+"""Of a side: where its distance from a wall is asked."""
 _PASSES = 5
 _NEAR = 0.6
 """Of the stretch the walls are known over: the farthest a corner of a diaphragm is from it."""
@@ -93,9 +94,7 @@ def landing_edges(other: Member, branch: Branch, index: int) -> list[tuple[np.nd
     second edge, and the direction (3,) of the middle there, along the branch."""
     found = []
     for side in branch.sides:
-        span = side.high - side.low + 100.0
-        low, high = max(side.low - span, 0.0), min(side.high + span, other.length)
-        mid = rails_between(other, [(index, low, high)])[0].mid
+        mid = rails_between(other, [(index, *side.about(other.length))])[0].mid
         one, two = mid.values[..., :3], mid.values[..., 3:]
         lines = Piecewise(mid.breaks, np.concatenate([one, 0.5 * (one + two), two], axis=2))
         s, points = landings(side.cut.main, lines, 0.5 * (side.low + side.high))
@@ -210,13 +209,13 @@ def _keeping_clear(plane, faces, wall, depth, ends, thickness) -> np.ndarray:
     a, b = ends
     along = (b - a) / np.sqrt(((b - a) ** 2).sum())
     outwards = np.array([along[1], -along[0]])
-    points = a + _SAMPLES[:, None] * (b - a)
-    room = np.full(len(_SAMPLES), np.inf)
+    points = a + SAMPLES[:, None] * (b - a)
+    room = np.full(len(SAMPLES), np.inf)
     for height in (-0.5 * thickness, 0.0, 0.5 * thickness):
         value, normal = faces.distance(wall, plane.at(points, height))
         slope = (normal * (outwards[0] * plane.x + outwards[1] * plane.y)).sum(axis=1)
         room = np.minimum(room, -(value + depth) / slope)
-    tilt = (room[-1] - room[0]) * _SAMPLES + room[0]
+    tilt = (room[-1] - room[0]) * SAMPLES + room[0]
     shift = float((room - tilt).min())
     return np.stack([a + (room[0] + shift) * outwards, b + (room[-1] + shift) * outwards])
 

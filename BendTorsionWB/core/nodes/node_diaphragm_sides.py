@@ -13,10 +13,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from .node_diaphragm_shape import Outline, Plane
+from .node_diaphragm_shape import SAMPLES, Outline, Plane
 from .node_faces import OuterFaces
 
-_SAMPLES = np.linspace(0.0, 1.0, 9)
 _LEAST = 1e-9
 
 
@@ -39,7 +38,7 @@ def side_fits(
             continue
         if isinstance(side, int):
             a, b = outline.corners[k], outline.corners[(k + 1) % len(outline.corners)]
-            _, normals = faces.distance(side, plane.at(a + _SAMPLES[:, None] * (b - a)))
+            _, normals = faces.distance(side, plane.at(a + SAMPLES[:, None] * (b - a)))
         else:
             normals = others[side].normal[None]
         cosine = float(np.abs((normals * plane.normal).sum(axis=1)).max())

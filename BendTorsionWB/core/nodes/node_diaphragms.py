@@ -85,6 +85,7 @@ def node_diaphragms(
             made[face] = plate, outline
             if face not in FLANGES:
                 webs[face] = plate
+    beside = {role(node, face, other.name): own.plane for face, own in webs.items()}
     flats, holes = [], {}
     for plate in plates:
         face = plate.strip.face
@@ -96,16 +97,16 @@ def node_diaphragms(
         if face not in FLANGES and outline.closes:
             hole = _hole(plate, contour, made, rules)
             holes[face] = hole
-        beside = {role(node, web, other.name): own.plane for web, own in webs.items()}
-        faces = branch.sides[0].cut.main.faces
-        fits = side_fits(plate.plane, faces, outline, plate.thickness, rules.wall_gap, beside)
+        fits = side_fits(
+            plate.plane, branch.faces, outline, plate.thickness, rules.wall_gap, beside
+        )
         flats.append(_flat(node, through, branch, plate, outline, contour, starts, fits, hole))
     findings += _access(node, through, branch, holes, rules)
     return tuple(flats), tuple(findings)
 
 
 def _plate(other: Member, branch: Branch, index: int) -> _Plate:
-    cell = next(c for c in other.law.cells if branch.s <= c.end or c is other.law.cells[-1])
+    cell = other.law.cell_at(branch.s)
     edges = landing_edges(other, branch, index)
     return _Plate(
         other.law.strips[index],
@@ -126,7 +127,7 @@ def _outline(
 ) -> tuple[Outline | None, list[Finding]]:
     """The outline of a diaphragm, or None, and warnings of one without room."""
     face = plate.strip.face
-    plane, faces = plate.plane, branch.sides[0].cut.main.faces
+    plane, faces = plate.plane, branch.faces
     name = f"{node}, {face} of {other.name}"
     depths = {k: wall + rules.wall_gap for k, wall in enumerate(faces.walls)}
     free = []
@@ -235,7 +236,6 @@ def _flat(
     node: str, through: Member, branch: Branch, plate: _Plate, outline, contour, starts, fits, hole
 ) -> FlatPlate:
     """The part. Its sides on walls and on other diaphragms are welded."""
-    faces = branch.sides[0].cut.main.faces
     holes, titles = (), ()
     if hole is not None:
         centre, diameter = hole
@@ -256,7 +256,7 @@ def _flat(
         holes,
         titles,
         tuple(
-            (faces.names[side] if isinstance(side, int) else side, start)
+            (branch.faces.names[side] if isinstance(side, int) else side, start)
             for side, start in zip(outline.sides, starts, strict=True)
             if side is not None
         ),

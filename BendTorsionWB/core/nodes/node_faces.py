@@ -148,11 +148,8 @@ class OuterFaces:
 
 def wall_thickness(member: Member, s: float) -> dict[str, float]:
     """Thickness, mm, of the plates of a member at s, by face."""
-    cells = member.law.cells
-    cell = next((c for c in cells if s <= c.end), cells[-1])
-    return {
-        strip.face: float(t) for strip, t in zip(member.law.strips, cell.thickness, strict=True)
-    }
+    thickness = member.law.cell_at(s).thickness
+    return {strip.face: float(t) for strip, t in zip(member.law.strips, thickness, strict=True)}
 
 
 def outer_faces(member: Member, start: float, end: float) -> OuterFaces:

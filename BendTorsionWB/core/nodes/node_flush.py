@@ -30,8 +30,7 @@ def flange_steps(through: Member, other: Member, branch: Branch) -> tuple[Flange
 
 
 def _of_side(through: str, other: Member, side: Side) -> list[FlangeStep]:
-    span = side.high - side.low + 100.0
-    corners = other.corners(max(side.low - span, 0.0), min(side.high + span, other.length))
+    corners = other.corners(*side.about(other.length))
     near = 0.5 * (side.low + side.high)
     parts, found = side.cut.parts, []
     for strip in other.law.strips:

@@ -79,7 +79,7 @@ def _start(node: str, other: Member, branch: Branch, way: int) -> Blend:
     far = None
     if opposite:
         far = opposite[0].low if opposite[0].way > 0 else opposite[0].high
-    cell = next(c for c in other.law.cells if own.low <= c.end or c is other.law.cells[-1])
+    cell = other.law.cell_at(own.low)
     height = float(np.ptp(cell.corners_at(np.array([0.5 * (own.low + own.high)]))[0, :, 1]))
     return blend_of(node, way, (own.low, own.high), far, height)
 
@@ -91,14 +91,13 @@ def _correction(through, member: Member, branch: Branch, way: int, face: str, ow
     names = list(strip.edges)
     s = np.array([0.5 * (side.low + side.high)])
     at = member.frames.at(s)
-    cell = next(c for c in member.law.cells if s[0] <= c.end or c is member.law.cells[-1])
-    plane = cell.corners_at(s)[0]
-    k = next(k for k, name in enumerate(side.cut.main.faces.names) if name == own[0].through_face)
-    _, up, _ = side.cut.main.faces.plane(k, branch.s_through)
+    plane = member.law.cell_at(s[0]).corners_at(s)[0]
+    faces = side.cut.main.faces
+    _, up, _ = faces.plane(faces.names.index(own[0].through_face), branch.s_through)
     rows, right = [], []
     for edge, corner in zip(names, (strip.first, strip.second), strict=True):
         arm = plane[corner, 0] * at.y[0] + plane[corner, 1] * at.z[0]
-        rows.append([float(at.z[0] @ up), float(crossed(at.x[0], arm) @ up)])
+        rows.append([float((own * up).sum()) for own in (at.z[0], crossed(at.x[0], arm))])
         right.append(-next(step.step for step in own if step.edge == edge))
     (a, b), (c, d) = rows
     below = a * d - b * c

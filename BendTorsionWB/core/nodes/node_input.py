@@ -10,6 +10,10 @@ TYPES = ("direct", "stub")
 DIAPHRAGMS = ("flanges", "flanges and webs", "none")
 
 
+ALMOST = 1e-6
+"""mm or rad; what is as near to its limit is at it."""
+
+
 @dataclass(frozen=True)
 class NodeRules:
     """Limits of nodes.

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -31,6 +32,11 @@ class Side:
     faces: tuple[str, ...]
     on_arris: bool = False
 
+    def about(self, length: float) -> tuple[float, float]:
+        """A stretch of its axis, of this length, that its cut lies well within, mm."""
+        span = self.high - self.low + 100.0
+        return max(self.low - span, 0.0), min(self.high + span, length)
+
 
 @dataclass(frozen=True, eq=False)
 class Landing:
@@ -40,6 +46,11 @@ class Landing:
     side: Side
     left: np.ndarray
     over: tuple[float, str]
+
+
+def seat_of(sides: Sequence[Side]) -> tuple[float, float]:
+    """The stretch of the through member's axis all of these sides land on, mm."""
+    return min(side.seat[0] for side in sides), max(side.seat[1] for side in sides)
 
 
 def reach(member: Member) -> float:

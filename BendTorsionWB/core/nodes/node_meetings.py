@@ -15,11 +15,9 @@ from ..finding import BETWEEN, Finding, error
 from ..members.member import Member
 from .node_cut import outer_lines
 from .node_faces import outer_faces
-from .node_input import NodeInput, NodeRules
+from .node_input import ALMOST, NodeInput, NodeRules
 from .node_landing import crossing_angle, reach
 
-ALMOST = 1e-6
-"""mm or rad; what is as near to its limit is at it."""
 COINCIDENT = 1.0
 """mm; axes nowhere farther apart are the same."""
 

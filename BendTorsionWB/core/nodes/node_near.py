@@ -6,26 +6,26 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..finding import BETWEEN, Finding, warning
+from .node_beside import branches_met
 from .node_branch import Branch, up
 from .node_input import NodeRules
 from .node_meetings import Meeting, nearly
 
 
 def near_findings(
-    near: Sequence[tuple[Meeting, float]],
-    branches: Sequence[tuple[str, Branch]],
-    rules: NodeRules,
+    near: Sequence[tuple[Meeting, float]], branches: Sequence[Branch], rules: NodeRules
 ) -> list[Finding]:
     """A warning for each approach of two members nearer than `near`. Of two branches that approach
     within the member both end on, one only where they land so near to each other that the welds
-    between them cannot be reached. branches: with the member that runs through."""
+    between them cannot be reached."""
     findings = []
     for meeting, apart in near:
-        both = _within(meeting, branches)
+        both = branches_met(meeting, branches)
         if both is None:
             findings.append(nearly(meeting, apart, rules))
             continue
-        through, one, other = both
+        one, other = both
+        through = one.through
         room = max(one.seat[0] - other.seat[1], other.seat[0] - one.seat[1])
         if set(one.sides[0].faces).isdisjoint(other.sides[0].faces) or room >= rules.access:
             continue
@@ -37,7 +37,7 @@ def near_findings(
                 "the welds that face each other cannot be reached",
                 f"move one of them {up(rules.access - room)} mm or more away along {through}, or "
                 "weld the first all round before the second is set",
-                position=f"s = {one.s_through:.0f} mm of {through}",
+                position=one.place,
                 value=room,
                 limit=rules.access,
                 unit="mm",
@@ -50,19 +50,3 @@ def near_findings(
         for own in findings
         if own.code == "node-branches-near" or own.objects not in side_by_side
     ]
-
-
-def _within(
-    meeting: Meeting, branches: Sequence[tuple[str, Branch]]
-) -> tuple[str, Branch, Branch] | None:
-    """The member that runs through and the two branches an approach is cut away of."""
-    for through, one in branches:
-        for on, other in branches:
-            if (
-                on == through
-                and (one.member, other.member) == (meeting.one, meeting.other)
-                and one.takes(meeting.at.first)
-                and other.takes(meeting.at.second)
-            ):
-                return through, one, other
-    return None

@@ -13,33 +13,23 @@ SHORTEST_STUB = 100.0
 """mm from the far end of a stub's cut to its field joint: room for both welds."""
 
 
-def through_findings(branches: Sequence[tuple[str, Branch]]) -> list[Finding]:
-    """An error for each branch that lands on a member where that member is itself cut by a node.
-    branches: with the member that runs through."""
+def through_findings(landing: Branch, branches: Sequence[Branch]) -> list[Finding]:
+    """An error of a branch that lands on a member where that member is itself cut by a node."""
+    through = landing.through
+    low, high = landing.seat
+    cut = [own for own in branches if own.member == through]
+    ends_on = [own.through for own in cut if own.cut_range[0] < high and low < own.cut_range[1]]
     return [
         error(
             "node-three-through",
-            branch.member,
-            f"{branch.member} ends on {through} where {through} itself ends on {other}: "
+            landing.member,
+            f"{landing.member} ends on {through} where {through} itself ends on {other}: "
             "nothing runs through there",
             "let one member run through for all that meet there, by ranks or rows of sheet Nodes",
-            position=f"s = {branch.s_through:.0f} mm of {through}",
+            position=landing.place,
         )
-        for through, branch in branches
-        if (other := _cut_there(branches, through, branch)) is not None
+        for other in ends_on[:1]
     ]
-
-
-def _cut_there(branches: Sequence[tuple[str, Branch]], name: str, landing: Branch) -> str | None:
-    """The member that `name` ends on over the stretch of its axis another one lands on."""
-    low = min(side.seat[0] for side in landing.sides)
-    high = max(side.seat[1] for side in landing.sides)
-    for through, branch in branches:
-        if branch.member == name:
-            start, end = branch.cut_range
-            if start < high and low < end:
-                return through
-    return None
 
 
 def stub_places(branch: Branch) -> tuple[float, ...]:
@@ -47,9 +37,7 @@ def stub_places(branch: Branch) -> tuple[float, ...]:
     return tuple(branch.s_node + side.way * branch.row.stub_length for side in branch.sides)
 
 
-def stub_findings(
-    through: str, branch: Branch, length: float, others: Sequence[Branch]
-) -> list[Finding]:
+def stub_findings(branch: Branch, length: float, others: Sequence[Branch]) -> list[Finding]:
     """Errors of stubs whose field joint lies within the through member or too near to it, or too
     near to the branch's end or its next node. length: of the branch's axis, mm; others: the same
     member at its other nodes."""
@@ -80,10 +68,10 @@ def stub_findings(
         error(
             "node-stub-short" if short else "node-stub-long",
             branch.member,
-            f"the field joint of the stub on {through} is within {SHORTEST_STUB:g} mm of "
+            f"the field joint of the stub on {branch.through} is within {SHORTEST_STUB:g} mm of "
             + ("its cut" if short else "the end of the branch or its next node"),
             mend if short else f"make stub_length {most:.0f} mm or less, or the node direct",
-            position=f"s = {branch.s_through:.0f} mm of {through}",
+            position=branch.place,
             value=given,
             limit=least if short else most,
             unit="mm",

@@ -16,7 +16,7 @@ from ..finding import BETWEEN, Finding, error
 from ..members.cells import Cell
 from ..members.member import Member
 from .node_input import NodeInput
-from .node_landing import Side, landed
+from .node_landing import Side, landed, seat_of
 
 _TRIES = 12
 
@@ -99,7 +99,7 @@ def _taken(sides: Sequence[Side], is_through: bool) -> list[tuple[float, float]]
     """The stretches of a member's axis that must be clear of changes; between the cut of a plate
     and a fold there has to be some of it."""
     if is_through:
-        return [(min(one.seat[0] for one in sides), max(one.seat[1] for one in sides))]
+        return [seat_of(sides)]
     least = tolerances.SHORTEST_PLATE
     return [(one.low - least, one.high + least) for one in sides]
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..finding import Finding, error
 from ..members.member import Member
-from .node_beside import Beside, both_pass, cut_beside
+from .node_beside import Beside, both_pass, branches_met, cut_beside
 from .node_blend import with_blends
 from .node_branch import Branch, branch_at
 from .node_circle import circles
@@ -44,10 +44,6 @@ class Node:
     def members(self) -> tuple[str, ...]:
         """The member that runs through, then the branches."""
         return self.through, *(branch.member for branch in self.branches)
-
-
-NO_NODE = ("node-three-through", "node-stub-short", "node-stub-long")
-"""Findings of a branch that leave it no node."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,30 +90,32 @@ def find_nodes(
             through, other = members[chosen.through], members[chosen.other]
             branch, faults = branch_at(through, other, *places_of(meeting, chosen), chosen, rules)
         made.append((meeting, chosen, branch, faults))
-    ending = [(c.through, b) for _, c, b, _ in made if b]
+    ending = [b for _, _, b, _ in made if b]
     # Those that go round beside a member all end on have a node there.
-    apart = [(m, c) for m, c, _, _ in made if c and not _within_a_node(m, ending)]
+    apart = [(m, c) for m, c, _, _ in made if c and not branches_met(m, ending)]
     in_circles, rounds = circles(apart, members)
     findings += rounds
     made = [
         (meeting, chosen, None, []) if meeting in in_circles else (meeting, chosen, branch, faults)
         for meeting, chosen, branch, faults in made
     ]
-    findings += near_findings(near, [(c.through, b) for _, c, b, _ in made if b], rules)
-    branches: list[tuple[str, Branch]] = []
+    ending = [b for _, _, b, _ in made if b]
+    findings += near_findings(near, ending, rules)
+    branches: list[Branch] = []
     pairs: list[Beside] = []
+    lost: set[Branch] = set()
     for meeting, chosen, branch, faults in made:
-        within = _within_a_node(meeting, [(c.through, b) for _, c, b, _ in made if b])
-        if within:
-            through, one, other = within
-            if len(one.sides) == 2 and len(other.sides) == 2:
-                findings += both_pass(through, one, other)
+        met = branches_met(meeting, ending)
+        if met:
+            if all(len(own.sides) == 2 for own in met):
+                findings += both_pass(*met)
+                lost.update(met)
             else:
-                pairs.append(Beside(through, one, other, chosen))
+                pairs.append(Beside(*met, chosen))
             continue
         findings += faults
         if branch is not None:
-            branches.append((chosen.through, branch))
+            branches.append(branch)
     findings += [
         error(
             "node-not-found",
@@ -134,16 +132,14 @@ def find_nodes(
         for index, row in enumerate(rows)
         if index not in used and not _in_error(row, findings)
     ]
-    findings += through_findings(branches)
-    for through, branch in branches:
-        alike = [own for _, own in branches if own.member == branch.member and own is not branch]
-        findings += stub_findings(through, branch, lengths[branch.member], alike)
-    failed = {(name, f.position) for f in findings if f.code in NO_NODE for name in f.objects}
-    branches = [
-        (through, branch)
-        for through, branch in branches
-        if (branch.member, _seat_text(branch, through)) not in failed
-    ]
+    for branch in branches:
+        alike = [own for own in branches if own.member == branch.member and own is not branch]
+        faults = through_findings(branch, branches)
+        faults += stub_findings(branch, lengths[branch.member], alike)
+        findings += faults
+        if faults:
+            lost.add(branch)
+    branches = [branch for branch in branches if branch not in lost]
     named = _named(_grouped(branches, members, rules), list(members))
     nodes = [_detailed(node, members, rules, pairs, findings) for node in named]
     nodes = [node for node in nodes if node.branches]
@@ -215,46 +211,25 @@ def _detailed(
     )
 
 
-def _within_a_node(
-    meeting: Meeting, branches: Sequence[tuple[str, Branch]]
-) -> tuple[str, Branch, Branch] | None:
-    """The member and its two branches whose node a meeting of these branches lies in."""
-    for through, one in branches:
-        if one.member != meeting.one or not one.takes(meeting.at.first):
-            continue
-        for other_through, other in branches:
-            if (
-                other_through == through
-                and other.member == meeting.other
-                and other.takes(meeting.at.second)
-            ):
-                return through, one, other
-    return None
-
-
-def _seat_text(branch: Branch, through: str) -> str:
-    return f"s = {branch.s_through:.0f} mm of {through}"
-
-
 def _grouped(
-    branches: Sequence[tuple[str, Branch]], members: Mapping[str, Member], rules: NodeRules
+    branches: Sequence[Branch], members: Mapping[str, Member], rules: NodeRules
 ) -> list[Node]:
     """Branches of one through member whose seats overlap or all but touch make one node."""
-    groups: list[list[tuple[str, Branch]]] = []
-    for item in sorted(branches, key=lambda b: (b[0], b[1].s_through, b[1].member)):
+    groups: list[list[Branch]] = []
+    for branch in sorted(branches, key=lambda b: (b.through, b.s_through, b.member)):
         last = groups[-1] if groups else None
-        edge = max(b.seat[1] for _, b in last) + rules.same if last else 0.0
-        if last and last[-1][0] == item[0] and item[1].seat[0] < edge:
-            last.append(item)
+        edge = max(b.seat[1] for b in last) + rules.same if last else 0.0
+        if last and last[-1].through == branch.through and branch.seat[0] < edge:
+            last.append(branch)
         else:
-            groups.append([item])
+            groups.append([branch])
     nodes = []
-    for group in groups:
-        through, own = group[0][0], tuple(branch for _, branch in group)
+    for own in groups:
+        through = own[0].through
         names = sorted({b.row.name for b in own if b.row.name})
         s = float(np.mean([b.s_through for b in own]))
         point = members[through].frames.axis.position(np.array([s]))[0]
-        nodes.append(Node(names[0] if names else "", _kind(own), through, s, point, own))
+        nodes.append(Node(names[0] if names else "", _kind(own), through, s, point, tuple(own)))
     return nodes
 
 

@@ -17,7 +17,7 @@ from ..flattening.developments import Developments
 from ..flattening.elastic import relaxed
 from ..geometry.piecewise import parted
 from ..geometry.vectors import lengths
-from ..lofting import DevelopedPlate
+from ..lofting import DevelopedPlate, plate_identity
 from ..members.contour_measure import trimmed_area
 from ..plates.face_marks import flat_marks
 from ..plates.lines_across import LinesAcross, Pattern, turned, turned_each
@@ -75,20 +75,20 @@ def develop_plates(
     placing, flat_to_placing = placing_frames(across)
     points = lofting_points(across, placing, marking_face)
     measured = PanelLengths(across, lines)
-    panels, errors, bounds = measured.measures(), measured.errors(), measured.bounds()
-    pieces = developments.pieces.tolist()
+    areas = developments.flat_areas()
+    panels, errors, bounds = measured.measures(), measured.errors(areas), measured.bounds()
+    pieces = developments.pieces
     inside = [n * (developments.plane.shape[1] - 2) for n in pieces]
     shapes = developments.shape_inside(ACROSS).parted(inside)
     stretch = developments.strain_at_nodes(ACROSS)
     stretch = parted(stretch.reshape(*developments.plane.shape[:2], -1), pieces)
-    areas = developments.flat_areas().tolist()
     found = []
     for k, (plate, pattern) in enumerate(zip(plates, patterns, strict=True)):
         corners = np.concatenate(outlines[k])
         worst_strain = float(np.abs(stretch[k]).max())
         mass = plate.net_volume * plate.material.density
         holes, area_of_holes = flat_holes(plate, pattern)
-        area = trimmed_area(pattern.development, plate.cuts) if plate.is_cut else areas[k]
+        area = trimmed_area(pattern.development, plate.cuts) if plate.is_cut else float(areas[k])
         ends = across.flat[[across.starts[k], across.ends[k] - 1]]
         forming = forming_of(
             pattern.development,
@@ -107,14 +107,7 @@ def develop_plates(
         every, by_kind = errors[k]
         found.append(
             DevelopedPlate(
-                member=plate.member,
-                mark=plate.mark,
-                part=plate.mark,
-                face=plate.face,
-                letter=plate.letter,
-                piece=plate.piece,
-                thickness=plate.thickness,
-                material=plate.material.name,
+                **plate_identity(plate),
                 outline=outlines[k],
                 lines=lines[k],
                 folds=folds[k],

@@ -196,21 +196,21 @@ class PanelLengths:
             found.append(Columns(PanelMeasure, columns))
         return found
 
-    def errors(self) -> list[tuple[np.ndarray, FlatteningErrors]]:
+    def errors(self, areas: np.ndarray) -> list[tuple[np.ndarray, FlatteningErrors]]:
         """Per plate all flat-minus-true lengths (edges, whole edges, diagonals, lines), and the
-        errors by kind; those along seams need the neighbours (flattening_errors.with_seams)."""
+        errors by kind; those along seams need the neighbours (flattening_errors.with_seams).
+        areas: of the plates laid flat, Developments.flat_areas."""
         developments = self.across.developments
         if developments.corrected:
-            middle = [self.across.measured.edge(0.5)[k] for k in (0, 1)]
-            centre = middle[0] - middle[1]
+            flat, true = self.across.measured.edge(0.5)
             centre = [
-                float(centre[self.across.panels_of(k)].sum())
+                float((flat - true)[self.across.panels_of(k)].sum())
                 for k in range(len(self.across.plates))
             ]
         else:
             flat, true = developments.centre_lines()
             centre = (flat - true).tolist()
-        area = (developments.flat_areas() - developments.curved_areas()).tolist()
+        area = (areas - developments.curved_areas()).tolist()
         found = []
         for k in range(len(self.across.plates)):
             own = self.across.panels_of(k)

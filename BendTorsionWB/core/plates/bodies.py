@@ -11,6 +11,7 @@ import numpy as np
 
 from .. import tolerances
 from ..finding import BendTorsionError, error
+from ..geometry.vectors import lengths
 from ..joints.lanes import Lane
 from ..members.contour import EndCurves, end_curves
 from ..members.contour_measure import TrimmedFigures, trimmed_figures
@@ -74,7 +75,7 @@ def _check_widths(
         return
     edges = np.concatenate([group.values.reshape(-1, 6) for group in groups])
     places = np.concatenate([group.nodes.ravel() for group in groups])
-    widths = np.sqrt(((edges[:, 3:] - edges[:, :3]) ** 2).sum(axis=1))
+    widths = lengths(edges[:, 3:] - edges[:, :3])
     at = int(np.argmin(widths))
     if widths[at] >= tolerances.NARROWEST_STRIP:
         return

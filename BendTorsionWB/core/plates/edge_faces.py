@@ -16,8 +16,8 @@ import numpy as np
 
 from .. import tolerances
 from ..flattening.outline_sides import sides_of
-from ..geometry.piecewise import Piecewise, evaluate_together
-from ..geometry.vectors import crossed
+from ..geometry.piecewise import Piecewise, Together, evaluate_together
+from ..geometry.vectors import crossed, dots, lengths
 from ..lofting import DevelopedPlate, PlateEdge
 from ..sections.section import Strip
 from .plates import Plate
@@ -92,7 +92,7 @@ class _Rows:
         area = crossed(self.rate, self.ruling)
         self.along = _unit(self.rate)
         self.normal = self.inward[:, None] * _unit(area)
-        self.reach = np.sqrt(_dot(area, area) / _dot(self.rate, self.rate))
+        self.reach = np.sqrt(dots(area, area) / dots(self.rate, self.rate))
 
     def of(self, plate: int, edge: int) -> slice:
         """The rows of one edge of one plate."""
@@ -117,7 +117,7 @@ class _Rows:
         """Functions of the plates at the places of their rows; once for both edges unless an end
         is cut."""
         parts = [self.at[level][self.of(k, 0)] for k in range(len(self.plates))]
-        first = np.concatenate(evaluate_together(functions, parts, side))
+        first = Together(functions)(parts, side)
         second = first.copy()
         for k, plate in enumerate(self.plates):
             if plate.is_cut:
@@ -133,10 +133,10 @@ class _Rows:
     def offset(self, points: np.ndarray) -> np.ndarray:
         """How far (2n,) the feet of points (2n, 3) lie outside the edges."""
         away, rate, ruling = points - self.point, self.rate, self.ruling
-        e = _dot(rate, rate) - _dot(away, self.bend)
-        f = _dot(rate, ruling) - _dot(away, self.turn)
-        g = _dot(ruling, ruling)
-        one, two = _dot(away, rate), _dot(away, ruling)
+        e = dots(rate, rate) - dots(away, self.bend)
+        f = dots(rate, ruling) - dots(away, self.turn)
+        g = dots(ruling, ruling)
+        one, two = dots(away, rate), dots(away, ruling)
         return self.outside * self.reach * (e * two - f * one) / (e * g - f * f)
 
 
@@ -166,7 +166,7 @@ def _flat(
     hand = np.sign(step[:, 0] * across[first, 1] - step[:, 1] * across[first, 0])
     square = np.column_stack([across[:, 1], -across[:, 0]])
     square = np.tile(np.repeat(hand, rows.lines)[:, None] * square, (2, 1))
-    skew = _dot(rows.along, _unit(rows.ruling))[:, None]
+    skew = dots(rows.along, _unit(rows.ruling))[:, None]
     level = np.sqrt(1.0 - skew * skew)
     outward = rows.outside[:, None] * (level * np.tile(across, (2, 1)) - skew * square)
     for k, (plate, pattern) in enumerate(zip(plates, developed, strict=True)):
@@ -221,7 +221,7 @@ def _dihedrals(plates: Sequence[Plate], rows: _Rows, met) -> np.ndarray:
         at = [
             rows.at["mid"][lines] + sign * BESIDE_FOLD * rows.is_fold[lines] for _, lines in asked
         ]
-        sides.append(_dihedral(rows, chosen, np.concatenate(evaluate_together(functions, at))))
+        sides.append(_dihedral(rows, chosen, Together(functions)(at)))
     angle[chosen] = np.mean(sides, axis=0)
     return angle
 
@@ -238,7 +238,7 @@ def _beside(plates, candidates, rows: _Rows, own: slice):
             if plates[c].start <= s[middle] <= plates[c].end:
                 rails = plates[c].rails.mid(s[middle : middle + 1]).reshape(2, 3)
                 away = rails - rows.point[own][middle]
-                gaps[plates[c].lane.letter] = float(_dot(away, away).min())
+                gaps[plates[c].lane.letter] = float(dots(away, away).min())
         nearest = min(gaps, key=gaps.get) if gaps else lanes[0]
         candidates = [c for c in candidates if plates[c].lane.letter == nearest]
     left = np.ones(len(s), bool)
@@ -255,20 +255,20 @@ def _dihedral(rows: _Rows, chosen: np.ndarray, other: np.ndarray) -> np.ndarray:
     """Angles (m,) from the plates to their neighbours, on the inner side, about the edges."""
     first, second = other[:, :3], other[:, 3:6]
     ruling = second - first
-    part = _dot(rows.point[chosen] - first, ruling) / _dot(ruling, ruling)
+    part = dots(rows.point[chosen] - first, ruling) / dots(ruling, ruling)
     part = part.clip(0.0, 1.0)[:, None]
     normal = crossed(other[:, 6:9] + part * (other[:, 9:12] - other[:, 6:9]), ruling)
     along, own = rows.along[chosen], rows.normal[chosen]
     # Into the neighbour, away from the end of its width that the edge lies at; amid its width
     # to the inner side.
     into = _unit(crossed(along, normal))
-    towards = np.where(part[:, 0] < 0.5, 1.0, -1.0) * _dot(into, ruling)
+    towards = np.where(part[:, 0] < 0.5, 1.0, -1.0) * dots(into, ruling)
     amid = np.abs(part[:, 0] - 0.5) < AMID
-    towards = np.where(amid, _dot(own, into), towards)
+    towards = np.where(amid, dots(own, into), towards)
     into = into * np.sign(towards)[:, None]
     inside = crossed(own, along)
-    inside = inside * np.sign(-rows.outside[chosen] * _dot(inside, rows.ruling[chosen]))[:, None]
-    return np.arctan2(_dot(own, into), _dot(inside, into)) % (2.0 * np.pi)
+    inside = inside * np.sign(-rows.outside[chosen] * dots(inside, rows.ruling[chosen]))[:, None]
+    return np.arctan2(dots(own, into), dots(inside, into)) % (2.0 * np.pi)
 
 
 def face_outline(plate: DevelopedPlate, face: str) -> tuple[np.ndarray, ...]:
@@ -311,9 +311,5 @@ def _moved_out(
     return tuple(moved)
 
 
-def _dot(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    return (a * b).sum(axis=1)
-
-
 def _unit(vectors: np.ndarray) -> np.ndarray:
-    return vectors / np.sqrt(_dot(vectors, vectors))[:, None]
+    return vectors / lengths(vectors)[:, None]

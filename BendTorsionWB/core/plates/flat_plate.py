@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..geometry import arc_contour
-from ..lofting import DevelopedPlate, FlatHole, LoftingPoint, WeldedSide
+from ..lofting import DevelopedPlate, FlatHole, LoftingPoint, WeldedSide, plate_identity
 from ..sections.section import Material
 from .openings import fitted_circle
 
@@ -118,14 +118,7 @@ def developed_flat(flat: FlatPlate) -> DevelopedPlate:
         for k in range(len(corners))
     )
     return DevelopedPlate(
-        member=flat.member,
-        mark=flat.mark,
-        part=flat.mark,
-        face=flat.face,
-        letter=flat.letter,
-        piece=flat.piece,
-        thickness=flat.thickness,
-        material=flat.material.name,
+        **plate_identity(flat),
         outline=tuple(run - low for run in dense),
         lines=(),
         folds=(),

@@ -13,7 +13,7 @@ from ..flattening.development import Development, Rulings
 from ..flattening.developments import Developments
 from ..flattening.locate import locate
 from ..flattening.measure import CornerPanels
-from ..geometry.piecewise import Piecewise, evaluate_together, parted
+from ..geometry.piecewise import Piecewise, Together, parted
 from ..geometry.vectors import lengths
 from ..members.contour import EndCurves
 from .plate_places import places_in_pattern
@@ -86,9 +86,9 @@ class LinesAcross:
         self.measured = measure.samples_together(developments, places, folds)
         self.rulings: Rulings = self.measured.ends
         self._cuts = [
-            (k, int((self.starts[k], self.ends[k] - 1)[end]), end, cut)
+            (k, int(row), cut)
             for k, plate in enumerate(plates)
-            for end, cut in enumerate(plate.cuts)
+            for row, cut in zip((self.starts[k], self.ends[k] - 1), plate.cuts, strict=True)
             if cut is not None
         ]
         self._corner_panels = {
@@ -97,8 +97,8 @@ class LinesAcross:
         }
         rails = [plate.rails for plate in plates]
         s = parted(self.s, self.counts)
-        self.outer = np.concatenate(evaluate_together([own.outer for own in rails], s))
-        self.inner = np.concatenate(evaluate_together([own.inner for own in rails], places))
+        self.outer = Together([own.outer for own in rails])(s)
+        self.inner = Together([own.inner for own in rails])(places)
         self.outer, self.inner = self.outer.reshape(-1, 2, 3), self.inner.reshape(-1, 2, 3)
         for k in self._corner_panels:
             for level in ("outer", "inner"):
@@ -119,7 +119,7 @@ class LinesAcross:
     def at(self, w: np.ndarray) -> np.ndarray:
         """Pattern points (n, 2) at w (n,) of the lines."""
         flat = turned_each(self.rulings.flat(w), self._turn) + self._shift
-        for k, row, _, cut in self._cuts:
+        for k, row, cut in self._cuts:
             own = w[row : row + 1]
             flat[row] = self.patterns[k].flat(cut.at("mid", own), own)[0]
         return flat
@@ -130,7 +130,7 @@ class LinesAcross:
         face = getattr(self, level)
         step = inset[:, None] * (face[:, 1] - face[:, 0])
         found = np.stack([face[:, 0] + step, face[:, 1] - step], axis=1)
-        for k, row, _, cut in self._cuts:
+        for k, row, cut in self._cuts:
             w = np.array([inset[row], 1.0 - inset[row]])
             value = getattr(self.plates[k].rails, level)(cut.at(level, w))
             found[row] = value[:, :3] + w[:, None] * (value[:, 3:] - value[:, :3])
@@ -139,14 +139,14 @@ class LinesAcross:
     def edge_places(self) -> np.ndarray:
         """Arc lengths (n, 2) of the ends of the lines on the outer face."""
         places = np.stack([self.s, self.s], axis=1)
-        for _, row, _, cut in self._cuts:
+        for _, row, cut in self._cuts:
             places[row] = cut.corners("outer")
         return places
 
     def true_lengths(self) -> np.ndarray:
         """Lengths (n,) of the lines on the formed mid-surface."""
         found = lengths(self.rulings.ruling)
-        for k, row, _, cut in self._cuts:
+        for k, row, cut in self._cuts:
             found[row] = _cut_length(cut, self.patterns[k].development.point)
         return found
 
@@ -159,7 +159,7 @@ class LinesAcross:
             even = np.linspace(0.0, 1.0, measure.FINEST + 1)
             points = [self.at(np.full(len(self.places), w)) for w in even]
             found = measure.sampled_lengths(np.stack(points, axis=1))
-        for k, row, _, cut in self._cuts:
+        for k, row, cut in self._cuts:
             found[row] = _cut_length(cut, self.patterns[k].development.flat)
         return found
 

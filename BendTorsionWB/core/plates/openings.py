@@ -224,14 +224,12 @@ def _outside(member: str, plate: Plate, cut: Cut, levels: dict, count: int) -> l
             "move it, or the joint",
         )
     at_seam = (plate.lane.first > 0.0, plate.lane.second < 1.0)
-    if not across.all() and any(at_seam):
-        over = (at_seam[0] and w.min() < 0.0) or (at_seam[1] and w.max() > 1.0)
-        if over:
-            return fault(
-                "opening-on-seam",
-                "the opening runs over the seam between two lanes of its face",
-                "set its offset so that it lies on one lane, or move the seam (Splits, lanes)",
-            )
+    if (at_seam[0] and w.min() < 0.0) or (at_seam[1] and w.max() > 1.0):
+        return fault(
+            "opening-on-seam",
+            "the opening runs over the seam between two lanes of its face",
+            "set its offset so that it lies on one lane, or move the seam (Splits, lanes)",
+        )
     if not across.all():
         return fault(
             "opening-outside", "the opening leaves the face", "move it, or make it smaller"

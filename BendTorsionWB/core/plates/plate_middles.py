@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..geometry.vectors import crossed, lengths
 from .flat_plate import FlatPlate
 from .plates import Plate
 
@@ -22,6 +23,6 @@ def middle(plate: Plate | FlatPlate) -> tuple[np.ndarray, np.ndarray]:
     rails = np.asarray(plate.rails.outer(np.array([half - step, half, half + step])))
     first, second = rails[:, :3], rails[:, 3:]
     centres, across = 0.5 * (first + second), second[1] - first[1]
-    square = np.cross(centres[2] - centres[0], across)
-    outward = -plate.inward * square / np.linalg.norm(square)
-    return centres[1], np.linalg.norm(across) * outward
+    square = crossed(centres[2] - centres[0], across)
+    outward = -plate.inward * square / lengths(square)
+    return centres[1], lengths(across) * outward

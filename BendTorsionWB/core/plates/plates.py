@@ -147,18 +147,18 @@ def split_plates(
     if rules is not None:
         findings += rule_findings(member, cuts, rules, _adjacent(member), keep_outs or {})
         findings += lane_findings(member.name, bounds, rules)
+    stretches = {face: _stretches(member, own) for face, own in cuts.items()}
     spans = [
-        (index, float(start), float(end))
+        (index, start, end)
         for index, strip in enumerate(law.strips)
-        for start, end in _stretches(member, cuts[strip.face])
+        for start, end in stretches[strip.face]
     ]
-    member = replace(member, root_gaps=_root_gaps(member, cuts, root_gaps))
+    member = replace(member, root_gaps=_root_gaps(member, stretches, root_gaps))
     across = {k: lanes_between(bounds.get(s.face, (0.0, 1.0))) for k, s in enumerate(law.strips)}
     built = iter(bodies(member, spans, across))
     plates = []
     for index, strip in enumerate(law.strips):
-        stretches = _stretches(member, cuts[strip.face])
-        for number, (start, end) in enumerate(stretches, start=1):
+        for number, (start, end) in enumerate(stretches[strip.face], start=1):
             cells = [c for c in law.cells if c.start < end and c.end > start]
             first, last = member.opened(strip.face, start, end)
             for lane in across[index]:
@@ -201,17 +201,18 @@ def _stretches(member: Member, edges: np.ndarray) -> list[tuple[float, float]]:
 
 
 def _root_gaps(
-    member: Member, cuts: Mapping[str, np.ndarray], given: Sequence[tuple[str, float, str]]
+    member: Member,
+    stretches: Mapping[str, Sequence[tuple[float, float]]],
+    given: Sequence[tuple[str, float, str]],
 ) -> tuple[tuple[str, float, float], ...]:
     """(face, place, gap) of the joints within a member that have a root gap and no field gap.
-    Raises BendTorsionError where both are given and differ."""
+    Raises BendTorsionError at the first where both are given and differ."""
     if not given:
         return ()
-    found, findings = [], []
+    found = []
     for strip in member.law.strips:
         fields = {piece.end_of(strip.face): piece.gap for piece in member.pieces[:-1]}
-        stretches = _stretches(member, cuts[strip.face])
-        for k, (before, behind) in enumerate(itertools.pairwise(stretches), start=1):
+        for k, (before, behind) in enumerate(itertools.pairwise(stretches[strip.face]), start=1):
             at = before[1]
             letters = (f"{strip.letter}{k}", f"{strip.letter}{k + 1}")
             own = [item for item in given if item[0] == "joints" or _lane_apart(item[0]) == letters]
@@ -222,7 +223,7 @@ def _root_gaps(
             if not field:
                 found.append((strip.face, at, gap))
             elif abs(field - gap) > SAME_GAP:
-                findings.append(
+                raise BendTorsionError(
                     error(
                         "root-gap-differs",
                         member.name,
@@ -235,8 +236,6 @@ def _root_gaps(
                         unit="mm",
                     )
                 )
-    if findings:
-        raise BendTorsionError(findings[:1])
     return tuple(found)
 
 

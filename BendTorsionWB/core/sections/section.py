@@ -66,12 +66,18 @@ class Strip:
     stops_at_second: Stop | None = None
     line: float = 0.0
 
+    @property
+    def stops(self) -> tuple[Stop | None, Stop | None]:
+        """What its first and its second edge end at."""
+        return self.stops_at_first, self.stops_at_second
+
 
 def strips_meet(one: Strip, other: Strip) -> bool:
     """True for strips with a corner in common, and where one stops at the other."""
-    stops = [(a.stops_at_first, a.stops_at_second, b.face) for a, b in ((one, other), (other, one))]
     return bool({one.first, one.second} & {other.first, other.second}) or any(
-        stop is not None and stop.face == face for *both, face in stops for stop in both
+        stop is not None and stop.face == b.face
+        for a, b in ((one, other), (other, one))
+        for stop in a.stops
     )
 
 

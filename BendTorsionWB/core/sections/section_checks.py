@@ -44,7 +44,7 @@ def checked(section: Section) -> Section:
     their neighbours, and plates that overlap."""
     findings = []
     for strip in section.strips:
-        for stop in (strip.stops_at_first, strip.stops_at_second):
+        for stop in strip.stops:
             if stop and not (np.isfinite(stop.gap) and stop.gap >= 0):
                 findings.append(
                     error(

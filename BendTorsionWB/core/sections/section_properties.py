@@ -180,7 +180,7 @@ def _meet(one, other) -> bool:
     return bool({one.first, one.second} & {other.first, other.second}) or any(
         stop is not None and stop.face == face
         for strip, face in ((one, other.face), (other, one.face))
-        for stop in (strip.stops_at_first, strip.stops_at_second)
+        for stop in strip.stops
     )
 
 

@@ -36,7 +36,7 @@ class StripTable:
 def strip_table(strips: Sequence[Strip]) -> StripTable:
     """The table of strips; each stop must name one of them."""
     index = {strip.face: k for k, strip in enumerate(strips)}
-    stops = [(strip.stops_at_first, strip.stops_at_second) for strip in strips]
+    stops = [strip.stops for strip in strips]
     return StripTable(
         np.array([strip.first for strip in strips]),
         np.array([strip.second for strip in strips]),
@@ -69,10 +69,7 @@ class Sites:
 def section_site(section: Section) -> Sites:
     """The one site of a section that does not vary, on a straight axis."""
     corners = np.array([section.corners], float)
-    gaps = [
-        [s.gap if s else 0.0 for s in (strip.stops_at_first, strip.stops_at_second)]
-        for strip in section.strips
-    ]
+    gaps = [[s.gap if s else 0.0 for s in strip.stops] for strip in section.strips]
     zero = np.zeros(1)
     thickness = np.array([[s.thickness for s in section.strips]])
     return Sites(

@@ -9,6 +9,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from ..geometry.vectors import crossed
 from ..members.cells import SectionLaw
 from ..members.skin import SkinPiece, values_and_rates
 from ..members.strips import StripRails
@@ -70,7 +71,7 @@ def _figures(values, rates, along, rings, counts) -> list[SolidFigures]:
     volume, first, areas = 0.0, 0.0, 0.0
     for w, part in zip(0.5 + 0.5 * _ACROSS[0], 0.5 * _ACROSS[1], strict=True):
         point = values + w * across
-        normal = _cross(rates + w * spread, across)
+        normal = crossed(rates + w * spread, across)
         weight = part * along[:, None]
         flux = normal * point
         volume += (weight * flux.sum(axis=2)).sum(axis=1) / 3.0
@@ -81,7 +82,7 @@ def _figures(values, rates, along, rings, counts) -> list[SolidFigures]:
     hub = rings.mean(axis=2)[:, :, None]
     following = np.roll(rings, -1, axis=2)
     corners = np.stack([np.broadcast_to(hub, rings.shape), rings, following])
-    vector = 0.5 * _cross(rings - hub, following - hub)
+    vector = 0.5 * crossed(rings - hub, following - hub)
     sides = 0.5 * (corners + np.roll(corners, -1, axis=0))
     sign = np.array([1.0, -1.0])
     volume = volume + ((vector * hub).sum(axis=(2, 3)) * sign).sum(axis=1) / 3.0
@@ -93,11 +94,6 @@ def _figures(values, rates, along, rings, counts) -> list[SolidFigures]:
         SolidFigures(abs(float(v)), f / v + m, a, tuple(e))
         for v, f, m, a, e in zip(volume, first, middle, areas, ends.tolist(), strict=True)
     ]
-
-
-def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Cross products over the last axis, as numpy's, with less ado."""
-    return a[..., [1, 2, 0]] * b[..., [2, 0, 1]] - a[..., [2, 0, 1]] * b[..., [1, 2, 0]]
 
 
 _figures_of: WeakKeyDictionary[StripRails, SolidFigures] = WeakKeyDictionary()

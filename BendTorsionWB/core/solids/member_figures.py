@@ -39,15 +39,15 @@ def beyond_stock(plate: DevelopedPlate, rules: JointRules | None) -> list[Findin
             plate.mark,
             f"the pattern is {what} than the stock",
             mend,
-            value=size,
+            value=own,
             limit=limit,
             unit="mm",
         )
-        for what, size, limit, mend in (
+        for what, own, limit, mend in (
             ("longer", size.length, limits.length, "give it a joint, or order longer stock"),
             ("wider", size.width, limits.width, "give it a joint, or order wider stock"),
         )
-        if size > limit
+        if own > limit
     ]
 
 

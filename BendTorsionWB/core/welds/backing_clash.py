@@ -10,12 +10,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
+from .. import tolerances
 from ..finding import Finding, warning
 from ..plates.diaphragm_input import Diaphragm
 from .weld_record import Weld
-
-SLACK = 1e-3
-"""mm by which figures may miss their limit."""
 
 
 def snipe_needed(bar: tuple[float, float], gaps: tuple[float, float], dihedral: float) -> float:
@@ -29,7 +27,7 @@ def snipe_needed(bar: tuple[float, float], gaps: tuple[float, float], dihedral: 
     sine = math.sin(dihedral)
     beyond = width - thickness / math.tan(dihedral) - gaps[1] / sine
     above = (thickness - gaps[0]) / sine
-    return 0.0 if min(beyond, above) <= SLACK else beyond + above
+    return 0.0 if min(beyond, above) <= tolerances.WELD_FIGURE else beyond + above
 
 
 def backing_clashes(
@@ -51,7 +49,9 @@ def backing_clashes(
         place = row.s * (length if row.s_is_ratio else 1.0)
         here = [w for w in backed if not row.end and w.start <= place <= w.end]
         across = [(w, w.prep.backing[1]) for w in here if w.kind == "lane"]
-        across = [(w, t) for w, t in across if t > _gap(row, faces[w.plates[0]]) + SLACK]
+        across = [
+            (w, t) for w, t in across if t > _gap(row, faces[w.plates[0]]) + tolerances.WELD_FIGURE
+        ]
         if across:
             weld, thickness = max(across, key=lambda item: item[1])
             yield _clash(
@@ -71,8 +71,8 @@ def backing_clashes(
         if not corners:
             continue
         weld, needed = max(corners, key=lambda item: item[1])
-        if needed > row.snipe + SLACK:
-            whole = math.ceil(needed - SLACK)
+        if needed > row.snipe + tolerances.WELD_FIGURE:
+            whole = math.ceil(needed - tolerances.WELD_FIGURE)
             yield _clash(
                 member,
                 number,

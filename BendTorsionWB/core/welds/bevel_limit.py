@@ -6,11 +6,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
+from .. import tolerances
 from ..finding import Finding, warning
 from ..lofting import DevelopedPlate
-
-SLACK = math.radians(1e-3)
-"""rad by which an angle may miss the limit."""
 
 
 def bevels_beyond(plates: Sequence[DevelopedPlate], limit: float) -> Iterator[Finding]:
@@ -21,7 +19,7 @@ def bevels_beyond(plates: Sequence[DevelopedPlate], limit: float) -> Iterator[Fi
             own = [bevel for bevel in plate.bevels if bevel.edge == line]
             worst = max(own, key=lambda bevel: max(map(abs, bevel.angles)))
             angle = max(map(abs, worst.angles))
-            if angle <= limit + SLACK:
+            if angle <= limit + math.radians(tolerances.WELD_FIGURE):
                 continue
             place = "mm on the axis" if worst.side in ("first", "second") else "mm along it"
             yield warning(

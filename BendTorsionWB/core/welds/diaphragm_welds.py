@@ -16,6 +16,7 @@ import numpy as np
 
 from ..finding import Finding, error, warning
 from ..lofting import DevelopedPlate, WeldedSide
+from .edge_rows import EdgeTreatment, WeldDefaults, last_row, number_of
 from .preps import SLOT, Prep
 from .skew_diaphragms import is_skew, open_groove
 from .weld_record import Weld
@@ -28,28 +29,28 @@ _REACH = 0.01
 
 
 def diaphragm_welds(
-    flats: Sequence[DevelopedPlate], walls: Sequence[DevelopedPlate], rows, defaults, used: set
+    flats: Sequence[DevelopedPlate],
+    walls: Sequence[DevelopedPlate],
+    rows: Sequence[EdgeTreatment],
+    defaults: WeldDefaults,
+    used: set[EdgeTreatment],
 ) -> Iterator[Weld]:
     """The welds of each side of the flat parts that meets a wall, with legs of the rule pack over
-    the thinner plate where no row tells them. rows: `welds.EdgeTreatment`s of a part (`D1`) or of
-    all (`diaphragms`, `end plates`), those that hold go to `used`; defaults:
-    `welds.WeldDefaults`."""
+    the thinner plate where no row tells them. rows: of a part (`D1`) or of all (`diaphragms`,
+    `end plates`), those that hold go to `used`."""
     by_face: Mapping[str, list[DevelopedPlate]] = {}
     for wall in (*walls, *flats):
         by_face.setdefault(wall.face if wall.lines else wall.mark, []).append(wall)
     for flat in flats:
         name = flat.mark.split("-")[-1]
         names = (name, "end plates" if flat.face == "end" else "diaphragms")
-        own = [row for row in rows if row.where in names]
-        used.update(own)
-        row = own[-1] if own else None
+        row = last_row(rows, names, used)
         for side in flat.welded:
             wall = _nearest(by_face.get(side.face, ()), side, flat)
             if wall is None or side.how == "open":
                 continue
-            thin = min(flat.thickness, wall.thickness)
-            by_row = bool(row and row.prep) and side.slot is None
-            leg = float(math.ceil(defaults.leg * thin - 1e-9))
+            thickness = flat.thickness, wall.thickness
+            by_row = row.prep is not None and side.slot is None
             short = [plate.mark.split("-")[-1] for plate in (flat, wall)]
             yield Weld(
                 f"{flat.member}-{short[0]}/{short[1]}",
@@ -61,24 +62,23 @@ def diaphragm_welds(
                 flat.s_start,
                 flat.s_end,
                 side.length,
-                (flat.thickness, wall.thickness),
+                thickness,
                 side.dihedral,
-                replace(row.prep, gap=side.gap)
-                if by_row
-                else _prep(side, flat.thickness, leg, defaults),
-                row.place if row and row.place else "shop",
-                row.ndt if row and row.ndt else defaults.ndt_shop,
-                next((k for k, r in enumerate(rows, 1) if r is row), 0) if by_row else 0,
+                replace(row.prep, gap=side.gap) if by_row else _prep(side, thickness, defaults),
+                row.place or "shop",
+                row.ndt or defaults.ndt_shop,
+                number_of(row, rows) if by_row else 0,
             )
 
 
-def _prep(side: WeldedSide, thickness: float, leg: float, defaults) -> Prep:
+def _prep(side: WeldedSide, thickness: tuple[float, float], defaults: WeldDefaults) -> Prep:
+    leg = defaults.fillet_leg(thickness)
     if side.how == "end":
         return replace(END_FILLET, leg=leg) if side.room >= leg else END_SQUARE
     if side.slot:
         return Prep("slot {:g}x{:g}".format(*side.slot), SLOT, gap=side.gap)
     if is_skew(side, defaults):
-        return open_groove(side, thickness)
+        return open_groove(side, thickness[0])
     # In whole mm where a wall stands askew, so that a slight twist makes no other kind of weld.
     gap = side.gap if side.dihedral == 0.5 * math.pi else float(round(side.gap))
     return replace(defaults.diaphragm, leg=leg, gap=gap)

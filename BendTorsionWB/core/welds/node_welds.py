@@ -16,14 +16,12 @@ from dataclasses import replace
 import numpy as np
 
 from ..lofting import DevelopedPlate, EndPart
-from .preps import Prep
+from .edge_rows import EdgeTreatment, WeldDefaults, last_row, number_of
+from .preps import WHOLE_ANGLE, Prep
 from .weld_record import Weld
 
 SHARP = math.radians(75.0)
 """Outer dihedral below which the groove is half of it."""
-
-_WHOLE = math.radians(1.0)
-"""rad; groove angles are told in steps of this."""
 
 _ROUNDED = math.radians(0.1)
 """rad; angles are rounded to this before they are stepped, so that ends which are the same but for
@@ -38,19 +36,23 @@ def groove(prep: Prep, part: EndPart) -> Prep:
     ]
     angle = prep.angle
     if prep.is_cut and outer[0] < SHARP - 0.5 * _ROUNDED:
-        angle = min(angle, _WHOLE * math.floor(0.5 * outer[0] / _WHOLE + 1e-6))
+        angle = min(angle, WHOLE_ANGLE * math.floor(0.5 * outer[0] / WHOLE_ANGLE + 1e-6))
     elif prep.is_cut:
-        angle = max(angle, _WHOLE * math.ceil((outer[1] - 0.5 * math.pi) / _WHOLE - 1e-6))
+        opening = outer[1] - 0.5 * math.pi
+        angle = max(angle, WHOLE_ANGLE * math.ceil(opening / WHOLE_ANGLE - 1e-6))
     return replace(prep, angle=angle, gap=part.gap)
 
 
 def branch_welds(
-    plates: Sequence[DevelopedPlate], stubs: Collection[str], rows, defaults, used: set
+    plates: Sequence[DevelopedPlate],
+    stubs: Collection[str],
+    rows: Sequence[EdgeTreatment],
+    defaults: WeldDefaults,
+    used: set[EdgeTreatment],
 ) -> Iterator[Weld]:
     """The welds of plates that end on other members at nodes, plate by plate; of a stub in the
     shop, of a direct branch in the field. The second plate is told by member and face. rows:
-    `welds.EdgeTreatment`s, those that hold go to `used`; defaults: `welds.WeldDefaults`. stubs:
-    nodes with a stub of the member."""
+    those that hold go to `used`. stubs: nodes with a stub of the member."""
     for plate in plates:
         for parts in plate.ends:
             for part in parts:
@@ -59,14 +61,11 @@ def branch_welds(
                 short = plate.mark.split("-")[-1]
                 alike = [p for own in plate.ends for p in own if p.node == part.node]
                 more = f".{part.member}.{part.face}" if len(alike) > 1 else ""
-                own = [r for r in rows if r.where in (part.node, "nodes")]
-                used.update(own)
-                row = own[-1] if own else None
-                place = "shop" if part.node in stubs else "field"
-                place = row.place if row and row.place else place
+                row = last_row(rows, (part.node, "nodes"), used)
+                place = row.place or ("shop" if part.node in stubs else "field")
                 ndt = defaults.ndt_field if place == "field" else defaults.ndt_shop
                 prep = groove(defaults.branch, part)
-                if row and row.prep:
+                if row.prep:
                     prep = replace(row.prep, gap=part.gap)
                 yield Weld(
                     f"{plate.member}-{part.node}-{short}{more}",
@@ -82,6 +81,6 @@ def branch_welds(
                     float(np.mean(part.dihedral)),
                     prep,
                     place,
-                    row.ndt if row and row.ndt else ndt,
-                    next((k for k, r in enumerate(rows, 1) if r is row and r.prep), 0),
+                    row.ndt or ndt,
+                    number_of(row, rows),
                 )

@@ -15,6 +15,9 @@ both; `square`, `fillet` and `double-fillet` cut none."""
 SLOT = "slot"
 """Type of the weld that fills the slots of a face closed last; no row asks for it by name."""
 
+WHOLE_ANGLE = math.radians(1.0)
+"""rad; groove angles the program finds are told in steps of this."""
+
 SIDES = ("outer", "inner")
 PLACES = ("shop", "field")
 

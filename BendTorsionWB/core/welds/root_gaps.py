@@ -19,11 +19,11 @@ from ..finding import BendTorsionError, Finding, error, warning
 from ..members.cells import Cell, SectionLaw
 from ..members.member import Member
 from ..plates.plates import SAME_GAP
-from ..sections.section import Section, Stop, Strip
+from ..sections.section import Section
 from ..sections.section_checks import checked
 from ..sections.strip_lines import section_polygons
+from .edge_rows import EdgeTreatment, number_of, stretches
 from .seam_corners import SeamEnds, seam_ends
-from .welds import EdgeTreatment
 
 
 def seam_gaps(law: SectionLaw) -> dict[str, tuple[np.ndarray, np.ndarray]]:
@@ -61,13 +61,14 @@ def with_root_gaps(
     """The member with the gaps its rows ask for where its sections tell none, and warnings of rows
     that ask for more than they name. Raises BendTorsionError, by `edge k`, for gaps that
     contradict each other or the section, and where they leave nothing of a plate."""
-    told = [(k, row.on(member.length)) for k, row in enumerate(rows, start=1)]
+    told = [row.on(member.length) for row in rows]
     errors: list[Finding] = []
     warnings: list[Finding] = []
     wanted: dict[tuple[int, int], float] = {}
+    askers: dict[int, int] = {}
     for seam in seam_ends(member.law.strips):
-        held = _held(seam.name, told, member.length)
-        asked = [(number, row.prep.gap) for number, row in held if row and row.prep.gap > 0.0]
+        held = [row for *_, row in stretches(told, seam.name, 0.0, member.length, set())]
+        asked = [(number_of(row, told), row.prep.gap) for row in held if _asks(row)]
         if not asked:
             continue
         number, gap = asked[0]
@@ -79,33 +80,26 @@ def with_root_gaps(
         if clash is not None:
             errors.append(_against_section(member.name, seam.name, number, gap, *clash))
             continue
-        if any(row is None or not row.prep.gap for _, row in held):
+        if len(asked) < len(held):
             warnings.append(_beyond_row(member.name, seam.name, number, gap))
         wanted |= {end: s * gap for end, s in zip(seam.edges, seam.shares, strict=True)}
-    for number, row in told:
-        if row.prep and row.prep.gap and row.where in {s.letter for s in member.law.strips}:
+        askers |= {strip: number for strip, _ in seam.edges}
+    letters = {strip.letter for strip in member.law.strips}
+    for number, row in enumerate(told, start=1):
+        if _asks(row) and row.where in letters:
             warnings.append(_between_lanes(member.name, row.where, number, row.prep.gap))
     if errors:
         raise BendTorsionError(errors)
     if not wanted:
         return member, tuple(warnings)
     sections = tuple(_with_gaps(section, wanted) for section in member.law.sections)
-    _check_room(member.name, sections, told)
+    _check_room(member.name, sections, askers)
     cells = tuple(_cell_with_gaps(cell, wanted) for cell in member.law.cells)
     return replace(member, law=replace(member.law, sections=sections, cells=cells)), tuple(warnings)
 
 
-def _held(name: str, rows, length: float) -> list[tuple[int, EdgeTreatment | None]]:
-    """The rows with a preparation that hold along a seam, stretch by stretch; None where none."""
-    own = [(k, row) for k, row in rows if row.where == name and row.prep and row.start < row.end]
-    ends = (min(max(end, 0.0), length) for _, row in own for end in (row.start, row.end))
-    places = sorted({0.0, length, *ends})
-    out = []
-    for low, high in zip(places[:-1], places[1:], strict=True):
-        middle = 0.5 * (low + high)
-        holds = [(k, row) for k, row in own if row.start <= middle <= row.end]
-        out.append(holds[-1] if holds else (0, None))
-    return out
+def _asks(row: EdgeTreatment) -> bool:
+    return row.prep is not None and row.prep.gap > 0.0
 
 
 def _of_sections(
@@ -113,15 +107,11 @@ def _of_sections(
 ) -> tuple[str, float] | None:
     """The first section that tells another gap for a seam, and that gap."""
     for section in sections:
-        stops = [_stops(section.strips[strip])[edge] for strip, edge in seam.edges]
+        stops = [section.strips[strip].stops[edge] for strip, edge in seam.edges]
         own = sum(stop.gap for stop in stops if stop is not None)
         if own > 0.0 and abs(own - gap) > SAME_GAP:
             return section.name, own
     return None
-
-
-def _stops(strip: Strip) -> tuple[Stop | None, Stop | None]:
-    return strip.stops_at_first, strip.stops_at_second
 
 
 def _with_gaps(section: Section, wanted: Mapping[tuple[int, int], float]) -> Section:
@@ -129,7 +119,7 @@ def _with_gaps(section: Section, wanted: Mapping[tuple[int, int], float]) -> Sec
     for k, strip in enumerate(section.strips):
         stops = [
             stop._replace(gap=wanted[k, edge]) if stop and (k, edge) in wanted else stop
-            for edge, stop in enumerate(_stops(strip))
+            for edge, stop in enumerate(strip.stops)
         ]
         strips.append(replace(strip, stops_at_first=stops[0], stops_at_second=stops[1]))
     return replace(section, strips=tuple(strips))
@@ -145,14 +135,15 @@ def _cell_with_gaps(cell: Cell, wanted: Mapping[tuple[int, int], float]) -> Cell
     return replace(cell, gaps=parts[0], gap_rates=parts[1], gap_bends=bends)
 
 
-def _check_room(member: str, sections: Sequence[Section], rows) -> None:
-    number = next(k for k, row in rows if row.prep and row.prep.gap)
+def _check_room(member: str, sections: Sequence[Section], askers: Mapping[int, int]) -> None:
+    """askers: by strip the number of a row that asks for a gap at one of its edges."""
+    first = min(askers.values())
     for section in sections:
         try:
             plates = section_polygons(checked(section))
         except BendTorsionError as problem:
             raise BendTorsionError(
-                replace(found, object=member, position=f"edge {number}")
+                replace(found, object=member, position=f"edge {first}")
                 for found in problem.findings
             ) from problem
         breadths = np.sqrt(((plates[:, 1] - plates[:, 0]) ** 2).sum(axis=1))
@@ -164,7 +155,7 @@ def _check_room(member: str, sections: Sequence[Section], rows) -> None:
                     member,
                     f"the root gap leaves too little of plate {section.strips[narrow].face}",
                     "use a smaller gap, or a wider section",
-                    position=f"edge {number}",
+                    position=f"edge {askers.get(narrow, first)}",
                     value=float(breadths[narrow]),
                     limit=tolerances.NARROWEST_STRIP,
                     unit="mm",

@@ -29,7 +29,7 @@ def seam_ends(strips: Sequence[Strip]) -> tuple[SeamEnds, ...]:
     index = {strip.face: k for k, strip in enumerate(strips)}
     found: dict[tuple[int, int], list[tuple[int, int, str]]] = {}
     for k, strip in enumerate(strips):
-        for edge, stop in enumerate((strip.stops_at_first, strip.stops_at_second)):
+        for edge, stop in enumerate(strip.stops):
             if stop is not None and stop.face in index:
                 pair = min(k, index[stop.face]), max(k, index[stop.face])
                 found.setdefault(pair, []).append((k, edge, stop.at))
@@ -77,14 +77,11 @@ def seam_corners(law: SectionLaw) -> Mapping[str, SeamCorner]:
 
     found = {}
     for seam in seam_ends(law.strips):
-        ends = [
-            (strip, edge, (law.strips[strip].stops_at_first, law.strips[strip].stops_at_second))
-            for strip, edge in seam.edges
-        ]
-        mitred = all(stops[edge].at == "mitre" for _, edge, stops in ends)
+        ends = [(strip, edge, law.strips[strip].stops[edge]) for strip, edge in seam.edges]
+        mitred = all(stop.at == "mitre" for *_, stop in ends)
         # Of two that stop at each other, the one that stops inside is the one that abuts.
-        strip, edge, stops = next((e for e in ends if e[2][e[1]].at == "inner"), ends[0])
-        other, level = index[stops[edge].face], 1.0 if stops[edge].at == "inner" else 0.0
+        strip, edge, stop = next((end for end in ends if end[2].at == "inner"), ends[0])
+        other, level = index[stop.face], 1.0 if stop.at == "inner" else 0.0
         outer, inner = points(strip, edge, 0.0), points(strip, edge, 1.0)
         across = outer - inner
         across = across / np.sqrt((across * across).sum(axis=1))[:, None]

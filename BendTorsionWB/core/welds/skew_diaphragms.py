@@ -12,20 +12,17 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
+from .. import tolerances
 from ..finding import Finding, warning
 from ..lofting import DevelopedPlate, WeldedSide
 from ..plates.diaphragm_part import WELDED_GAP
-from .preps import Prep
-
-_WHOLE = math.radians(1.0)
-"""rad; groove angles are told in steps of this."""
-_SLACK = 1e-3
-"""mm or degrees by which figures may miss their limit."""
+from .edge_rows import WeldDefaults
+from .preps import WHOLE_ANGLE, Prep
 
 
-def is_skew(side: WeldedSide, defaults) -> bool:
-    """Whether a side stands too sharp to its wall for fillets. defaults: `welds.WeldDefaults`."""
-    return side.dihedral < defaults.fillet_least_angle - math.radians(_SLACK)
+def is_skew(side: WeldedSide, defaults: WeldDefaults) -> bool:
+    """Whether a side stands too sharp to its wall for fillets."""
+    return side.dihedral < defaults.fillet_least_angle - math.radians(tolerances.WELD_FIGURE)
 
 
 def open_groove(side: WeldedSide, thickness: float) -> Prep:
@@ -33,17 +30,21 @@ def open_groove(side: WeldedSide, thickness: float) -> Prep:
     degrees, its gap that at the root."""
     opening = 0.5 * math.pi - side.dihedral
     root = max(side.gap - thickness * math.tan(opening), 0.0)
-    angle = _WHOLE * math.floor(opening / _WHOLE + 1e-6)
+    angle = WHOLE_ANGLE * math.floor(opening / WHOLE_ANGLE + 1e-6)
     return Prep("skew", "bevel", angle, gap=round(root, 1))
 
 
-def skew_findings(flats: Sequence[DevelopedPlate], defaults) -> Iterator[Finding]:
+def skew_findings(flats: Sequence[DevelopedPlate], defaults: WeldDefaults) -> Iterator[Finding]:
     """A warning for each diaphragm with sides too sharp to their walls for fillets, and for each
-    whose square edge leaves fillets too wide a gap. defaults: `welds.WeldDefaults`."""
+    whose square edge leaves fillets too wide a gap."""
     for flat in flats:
         walls = [side for side in flat.welded if side.how == "walls"]
         skew = [side for side in walls if is_skew(side, defaults)]
-        wide = [side for side in walls if side not in skew and side.gap > WELDED_GAP + _SLACK]
+        wide = [
+            side
+            for side in walls
+            if side not in skew and side.gap > WELDED_GAP + tolerances.WELD_FIGURE
+        ]
         if skew:
             least = min(skew, key=lambda side: side.dihedral)
             cut = 90.0 - math.degrees(least.dihedral)

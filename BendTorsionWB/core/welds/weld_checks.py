@@ -6,10 +6,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
+from .. import tolerances
 from ..finding import Finding, error
 from ..lofting import DevelopedPlate
 from ..plates.diaphragm_part import WELDED_GAP
 from .diaphragm_welds import groove_of_flat
+from .edge_rows import EdgeTreatment, WeldDefaults
 from .preps import prep_findings
 from .seam_corners import SeamCorner
 from .weld_record import Weld
@@ -17,21 +19,18 @@ from .weld_record import Weld
 WIDEST_FILLET = math.radians(135.0)
 """Angle between the plates above which no fillet holds (AWS D1.1 clause 4, skewed T-joints)."""
 
-SLACK = 1e-3
-"""mm by which figures may miss their limit."""
-
 
 def weld_faults(
     welds: Sequence[Weld],
     flats: Sequence[DevelopedPlate],
     faces: Mapping[str, str],
-    rows,
-    defaults,
+    rows: Sequence[EdgeTreatment],
+    defaults: WeldDefaults,
     corners: Mapping[str, SeamCorner],
 ) -> list[Finding]:
     """Errors of welds that cannot be made, one of a kind for each row, by `edge k`. flats:
-    diaphragms and end plates; faces: of plates by their marks; rows: `welds.EdgeTreatment`s;
-    defaults: `welds.WeldDefaults`; corners: of the seams by their names."""
+    diaphragms and end plates; faces: of plates by their marks; corners: of the seams by their
+    names."""
     rooms = {(flat.mark, side.face): side.room for flat in flats for side in flat.welded}
     faults: dict[tuple, Finding] = {}
     for weld in welds:
@@ -88,7 +87,7 @@ def _fillet_faults(weld: Weld, where: str, corners, defaults, room: float) -> It
         )
         return
     limit = defaults.widest_leg * min(weld.thickness)
-    if prep.leg > limit + SLACK:
+    if prep.leg > limit + tolerances.WELD_FIGURE:
         yield error(
             "fillet-leg",
             weld.member,
@@ -107,7 +106,7 @@ def _fillet_faults(weld: Weld, where: str, corners, defaults, room: float) -> It
         ledge = room
     else:
         return
-    if ledge < prep.leg - SLACK:
+    if ledge < prep.leg - tolerances.WELD_FIGURE:
         yield error(
             "fillet-ledge",
             weld.member,
@@ -130,7 +129,7 @@ def _gap_faults(weld: Weld, where: str, rows, defaults) -> Iterator[Finding]:
     limit = min(defaults.widest_gap, defaults.gap_over_thickness * min(weld.thickness))
     if weld.prep.is_fillet:
         limit = min(limit, WELDED_GAP)
-    if gap <= limit + SLACK:
+    if gap <= limit + tolerances.WELD_FIGURE:
         return
     yield error(
         "root-gap-too-wide",

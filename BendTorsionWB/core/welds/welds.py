@@ -3,16 +3,15 @@
 
 A seam is named by the letters of its two faces in section order (`TL`), the seams between the
 lanes of one face by its letter (`T`), a butt joint by the plates it joins (`T1/T2`), a weld at a
-node by the node. A weld runs
-where one pair of plates meets under one row of the Edges sheet; where no row applies the rule
-pack's defaults do.
+node by the node. A weld runs where one pair of plates meets under one row of the Edges sheet;
+where no row applies the rule pack's defaults do.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -21,8 +20,15 @@ from ..joints.pieces import LONGEST_GAP
 from ..lofting import DevelopedPlate, PlateEdge
 from ..sections.section import Strip
 from .diaphragm_welds import diaphragm_welds, unwelded
+from .edge_rows import (
+    SHORTEST_WELD,
+    EdgeTreatment,
+    WeldDefaults,
+    last_row,
+    number_of,
+    stretches,
+)
 from .node_welds import branch_welds
-from .preps import Prep
 from .seam_corners import SeamCorner
 from .skew_diaphragms import skew_findings
 from .weld_checks import weld_faults
@@ -30,57 +36,6 @@ from .weld_record import Weld
 
 SAME_PLACE = 0.01
 """mm; plates whose ends lie nearer than this along the axis meet there."""
-
-SHORTEST_WELD = 1.0
-"""mm; stretches shorter than this, where two plates' ends all but coincide, are no weld."""
-
-
-@dataclass(frozen=True)
-class EdgeTreatment:
-    """One row of the Edges sheet: a seam, a joint or `joints` (all of them), a node the member ends
-    on another at or `nodes`, a diaphragm (`D1`) or `diaphragms`, `end plates`, between two arc
-    lengths (mm; with the ratio flag a part of the axis length), with preparation, place (`shop`,
-    `field`) and test; None and empty for the defaults."""
-
-    where: str
-    start: float = 0.0
-    end: float = np.inf
-    prep: Prep | None = None
-    place: str = ""
-    ndt: str = ""
-    start_is_ratio: bool = False
-    end_is_ratio: bool = False
-
-    def on(self, length: float) -> EdgeTreatment:
-        """The row with its places in mm of an axis of this length."""
-        start = self.start * length if self.start_is_ratio else self.start
-        end = self.end * length if self.end_is_ratio else self.end
-        return replace(
-            self, start=start, end=min(end, length), start_is_ratio=False, end_is_ratio=False
-        )
-
-
-@dataclass(frozen=True)
-class WeldDefaults:
-    """Preparations of seams and joints that no row names, of branches at nodes and of diaphragms
-    there, the leg of their fillets over the thinner plate, the step (rad) bevel angles are cut in,
-    the largest leg over the thinner plate, the widest root gap, mm and over the thinner plate, the
-    least dihedral of fillets on both sides, rad, and the largest bevel a cutting head makes, rad,
-    by the rule pack."""
-
-    seam: Prep = Prep("corner", "bevel", np.radians(45.0), 6.0, 0.0)
-    joint: Prep = Prep("butt", "v", np.radians(60.0), 2.0, 2.0)
-    ndt_shop: str = ""
-    ndt_field: str = ""
-    bevel_step: float = np.radians(1.0)
-    branch: Prep = Prep("branch", "bevel", np.radians(45.0), 2.0)
-    diaphragm: Prep = Prep("diaphragm", "double-fillet")
-    leg: float = 0.7
-    widest_leg: float = 1.2
-    widest_gap: float = 20.0
-    gap_over_thickness: float = 2.0
-    fillet_least_angle: float = np.radians(60.0)
-    largest_bevel: float = np.radians(52.0)
 
 
 def welds_of(
@@ -109,7 +64,7 @@ def welds_of(
     welds += branch_welds(walls, stubs, rows, defaults, used)
     flats = [plate for plate in plates if plate.face in ("diaphragm", "end")]
     welds += diaphragm_welds(flats, walls, rows, defaults, used)
-    welds = [replace(weld, prep=with_leg(weld.prep, weld.thickness, defaults)) for weld in welds]
+    welds = [_with_leg(weld, defaults) for weld in welds]
     faces = {plate.mark: plate.face for plate in plates}
     faults = weld_faults(welds, flats, faces, rows, defaults, corners or {})
     faults += [
@@ -147,18 +102,11 @@ def _backwards(member: str, row: EdgeTreatment, number: int) -> Finding:
     )
 
 
-def with_leg(prep: Prep, thickness: Sequence[float], defaults: WeldDefaults) -> Prep:
-    """The preparation with the rule pack's leg where a fillet tells none."""
-    if not prep.is_fillet or prep.leg:
-        return prep
-    return replace(prep, leg=float(math.ceil(defaults.leg * min(thickness) - 1e-9)))
-
-
-def number_of(row: EdgeTreatment | None, rows: Sequence[EdgeTreatment]) -> int:
-    """The number of the row that prepares a weld, from 1; 0 where the rule pack does."""
-    if row is None or row.prep is None:
-        return 0
-    return next(k for k, own in enumerate(rows, start=1) if own is row)
+def _with_leg(weld: Weld, defaults: WeldDefaults) -> Weld:
+    """The weld with the rule pack's leg where its fillet tells none."""
+    if not weld.prep.is_fillet or weld.prep.leg:
+        return weld
+    return replace(weld, prep=replace(weld.prep, leg=defaults.fillet_leg(weld.thickness)))
 
 
 def _seams(
@@ -166,10 +114,7 @@ def _seams(
 ) -> Iterator[Weld]:
     order = {strip.face: k for k, strip in enumerate(strips)}
     stops = {
-        (strip.face, stop.face)
-        for strip in strips
-        for stop in (strip.stops_at_first, strip.stops_at_second)
-        if stop is not None
+        (strip.face, stop.face) for strip in strips for stop in strip.stops if stop is not None
     }
     by_face: dict[str, list[DevelopedPlate]] = {}
     for plate in walls:
@@ -190,9 +135,8 @@ def _seams(
                     continue
                 cut_second = (edge.neighbour, plate.face) in stops
                 pair = (beside, plate) if cut_second else (plate, beside)
-                for low, high, row in _stretches(rows, (name,), start, end, used):
-                    prep = defaults.joint if in_face else defaults.seam
-                    prep = row.prep if row and row.prep else prep
+                for low, high, row in stretches(rows, name, start, end, used):
+                    prep = row.prep or (defaults.joint if in_face else defaults.seam)
                     if not in_face and name in gaps:
                         prep = replace(prep, gap=_told(_mean(*gaps[name], low, high)))
                     yield Weld(
@@ -211,8 +155,8 @@ def _seams(
                         (pair[0].thickness, pair[1].thickness),
                         _mean(edge.s, edge.dihedral, low, high),
                         prep,
-                        row.place if row and row.place else "shop",
-                        row.ndt if row and row.ndt else defaults.ndt_shop,
+                        row.place or "shop",
+                        row.ndt or defaults.ndt_shop,
                         number_of(row, rows),
                     )
 
@@ -230,10 +174,8 @@ def _joints(walls, rows, defaults: WeldDefaults, used) -> Iterator[Weld]:
             short = [mark.split("-")[-1] for mark in (one.mark, two.mark)]
             name = "/".join(short)
             field = one.piece != two.piece
-            own = [r for r in rows if r.where in (name, "joints")]
-            used.update(own)
-            row = own[-1] if own else None
-            prep = row.prep if row and row.prep else defaults.joint
+            row = last_row(rows, (name, "joints"), used)
+            prep = row.prep or defaults.joint
             apart = two.s_start - one.s_end
             if apart > SAME_PLACE:
                 prep = replace(prep, gap=_told(apart))
@@ -250,10 +192,8 @@ def _joints(walls, rows, defaults: WeldDefaults, used) -> Iterator[Weld]:
                 (one.thickness, two.thickness),
                 float(np.pi),
                 prep,
-                row.place if row and row.place else ("field" if field else "shop"),
-                row.ndt
-                if row and row.ndt
-                else (defaults.ndt_field if field else defaults.ndt_shop),
+                row.place or ("field" if field else "shop"),
+                row.ndt or (defaults.ndt_field if field else defaults.ndt_shop),
                 number_of(row, rows),
             )
 
@@ -269,24 +209,6 @@ def _between(plate: DevelopedPlate, one: DevelopedPlate, two: DevelopedPlate) ->
     """Whether a plate of the face of two others lies between them, however short."""
     within = plate.s_start >= one.s_end - SAME_PLACE and plate.s_end <= two.s_start + SAME_PLACE
     return plate.face == one.face and within
-
-
-def _stretches(
-    rows: Sequence[EdgeTreatment], names: tuple[str, ...], start: float, end: float, used
-) -> list[tuple[float, float, EdgeTreatment | None]]:
-    """The stretch from start to end cut where rows begin and end; of two rows the later one
-    holds."""
-    own = [row for row in rows if row.where in names and row.start < end and row.end > start]
-    used.update(own)
-    places = sorted({start, end, *(min(max(p, start), end) for r in own for p in (r.start, r.end))})
-    out = []
-    for low, high in zip(places[:-1], places[1:], strict=True):
-        if high - low < SHORTEST_WELD:
-            continue
-        middle = 0.5 * (low + high)
-        row = next((r for r in reversed(own) if r.start <= middle <= r.end), None)
-        out.append((low, high, row))
-    return out
 
 
 def _told(gap: float) -> float:
