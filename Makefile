@@ -17,8 +17,11 @@ demo: packages  ## build the concert hall into build/concert_hall
 	@echo "Cut files:         $(DEMO)/plates/*.dxf"
 	@echo "Lofting data:      $(DEMO)/results.xlsx"
 
-test: packages  ## run every test
-	@$(PYTHON) -m pytest
+# A file's tests stay together: they share fixtures, folders and pictures.
+TOGETHER = -n $(shell nproc) --dist loadfile
+
+test: packages  ## run every test, one worker for each processor
+	@$(PYTHON) -m pytest $(TOGETHER)
 
 # Newer releases would bring a numpy that Debian's scipy does not load with.
 OPTIONAL = rhino3dm==8.17.0 distributed==2024.5.0 dask==2024.5.0
@@ -59,7 +62,10 @@ benchmark: packages  ## print measured figures beside their limits
 	@set -e; for script in benchmarks/*.py; do echo "== $$script"; $(PYTHON) "$$script"; done
 
 tutorial: packages  ## work through the tutorial in FreeCAD's window and refresh its pictures
-	@$(PYTHON) -m pytest -q tests/test_tutorial_window.py
+	@rm -rf build/pictures/tutorial
+	@# Those of docs are compared once they are there.
+	@$(PYTHON) -m pytest -q tests/test_tutorial_window.py -k "not every_picture"
+	@rm -rf docs/images/tutorial
 	@mkdir -p docs/images/tutorial/dark
 	@cp build/pictures/tutorial/*.png docs/images/tutorial/
 	@cp build/pictures/tutorial/dark/*.png docs/images/tutorial/dark/

@@ -64,10 +64,6 @@ def main(given: list[str] | None = None) -> int:
         return 130
 
 
-def _members(options) -> list[str]:
-    return [name.strip() for name in options.only.split(",") if name.strip()]
-
-
 def _wanted(options):
     from BendTorsionWB.model_files import Wanted
 
@@ -85,12 +81,12 @@ def _build(options) -> int:
     result = project.build(
         options.schedule,
         options.out,
-        _members(options),
+        options.only,
         options.jobs,
         _progress,
         _wanted(options),
         removing=getattr(options, "remove", False),
-        statuses=read_statuses(options.status) if options.status else None,
+        statuses=read_statuses(options.status) if options.status else (),
         force=options.force,
     )
     return _tell(result, options)
@@ -119,7 +115,7 @@ def _export(options) -> int:
     result = export_document(
         options.document,
         options.out,
-        _members(options),
+        options.only,
         options.jobs,
         _progress,
         not options.no_sheets,
@@ -140,15 +136,19 @@ def _write_back(options) -> int:
     findings = write_document_back(options.document, target)
     print_findings(findings, options.quiet)
     if not options.quiet:
-        print(f"written to {target}, {len(findings)} things a schedule cannot say")
+        things = "thing" if len(findings) == 1 else "things"
+        print(f"written to {target}, {len(findings)} {things} a schedule cannot say")
     return GOOD
 
 
 def _report_of(options) -> int:
     from BendTorsionWB.document_export import source_records, write_figures
     from BendTorsionWB.exchange import report
+    from BendTorsionWB.exchange.file_kind import FIGURES, check_ending
 
-    given = source_records(options.source, _members(options), options.jobs, _progress)
+    if options.report:
+        check_ending(options.report, FIGURES)
+    given = source_records(options.source, options.only, options.jobs, _progress)
     _progress.end()
     records = tuple(given.records.values())
     findings = report.all_findings(records, given.findings)
@@ -176,7 +176,10 @@ def _new(options) -> int:
     if not options.template or not options.out:
         for name, title in template_titles().items():
             print(f"{name:<10} {title}")
-        return GOOD if not options.out and not options.template else INVALID
+        if not options.template and not options.out:
+            return GOOD
+        print(f"error: {'--out' if options.template else '--template'} is missing", file=sys.stderr)
+        return INVALID
     new_document(options.template, options.out)
     if not options.quiet:
         print(f"{options.out}: open it in FreeCAD, or export it")
@@ -190,13 +193,17 @@ def _repair(options) -> int:
     print_findings(findings, options.quiet)
     if not options.quiet:
         done = f"written to {options.out or options.document}" if labels else "nothing to repair"
-        print(f"{len(labels)} objects repaired; {done}")
+        print(f"{len(labels)} object{'' if len(labels) == 1 else 's'} repaired; {done}")
     return FAILED if findings else GOOD
 
 
 def _diff(options) -> int:
     from BendTorsionWB.exchange.difference import write_changes
+    from BendTorsionWB.exchange.file_kind import CHANGES, check_ending
     from BendTorsionWB.round_trip import difference
+
+    if options.report:
+        check_ending(options.report, CHANGES)
 
     changes = difference(options.one, options.other)
     if options.report:
@@ -204,7 +211,7 @@ def _diff(options) -> int:
     if not options.quiet:
         for change in changes:
             print(change.line())
-        print(f"{len(changes)} changes")
+        print(f"{len(changes)} change{'' if len(changes) == 1 else 's'}")
     return GOOD
 
 
@@ -229,7 +236,7 @@ def _check(options) -> int:
     from BendTorsionWB.core.parallel import workers_for
     from BendTorsionWB.shapes.clash import clashes
 
-    schedule, jobs, found = project.read_project(options.schedule, _members(options))
+    schedule, jobs, found = project.read_project(options.schedule, options.only)
     with workers_for(options.jobs, len(jobs)) as executor:
         detailed, lost = project.detail_members(schedule, jobs, executor, _progress)
     _progress.end()
@@ -244,8 +251,8 @@ def _check(options) -> int:
     if not options.quiet:
         plates = sum(len(item.record.plates) for item in detailed.values())
         print(
-            f"{schedule.file}: {len(detailed)} members, {plates} plates, "
-            + ("in error" if failed else "good")
+            f"{schedule.file}: {len(detailed)} member{'' if len(detailed) == 1 else 's'}, "
+            f"{plates} plates, " + ("in error" if failed else "good")
         )
     return FAILED if failed else GOOD
 

@@ -48,7 +48,7 @@ def parser() -> argparse.ArgumentParser:
     command(
         "report",
         "tell the figures of a schedule or document; write them to a file",
-        *(_source, _only, _jobs, _report, _outside_files),
+        *(_source, _only, _jobs, _figures, _outside_files),
     )
     command("new", "start a document from a template", _template)
     command(
@@ -75,7 +75,9 @@ def _out(command) -> None:
 
 
 def _only(command) -> None:
-    command.add_argument("--only", default="", metavar="M1,M2", help="only these members")
+    command.add_argument(
+        "--only", type=_names, default=[], metavar="M1,M2", help="only these members"
+    )
 
 
 def _jobs(command) -> None:
@@ -177,12 +179,25 @@ def _report(command) -> None:
     )
 
 
+def _figures(command) -> None:
+    command.add_argument(
+        "--report", default="", metavar="FILE", help="write them too: .xlsx or .json"
+    )
+
+
 def _debug(command) -> None:
     command.add_argument("--debug", action="store_true", help="print where a fault arose")
 
 
 def _quiet(command) -> None:
     command.add_argument("--quiet", action="store_true", help="print errors only")
+
+
+def _names(text: str) -> list[str]:
+    names = [name.strip() for name in text.split(",") if name.strip()]
+    if not names:
+        raise argparse.ArgumentTypeError("names no member; leave it out for all of them")
+    return names
 
 
 def _count(text: str) -> int:

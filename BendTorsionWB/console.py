@@ -78,4 +78,7 @@ def print_findings(
         print(finding.line(length), file=sys.stderr)
     if len(warnings) > SHOWN_WARNINGS:
         more = len(warnings) - SHOWN_WARNINGS
-        print(f"and {more} more warnings: see results.xlsx, sheet Checks", file=sys.stderr)
+        print(
+            f"and {more} more warning{'' if more == 1 else 's'}: see results.xlsx, sheet Checks",
+            file=sys.stderr,
+        )

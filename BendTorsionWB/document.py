@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import math
-from contextlib import contextmanager
 from dataclasses import astuple
 
 from BendTorsionWB.core.axes.axis_input import AxisInput
@@ -114,22 +113,11 @@ def _degrees(angle: float) -> float:
     return round(math.degrees(angle), 12)
 
 
-@contextmanager
 def equal_labels():
     """Let a member and its axis bear one name; FreeCAD would number the second."""
-    import FreeCAD
+    from BendTorsionWB.objects.preference import preference
 
-    settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Document")
-    was_set = "DuplicateLabels" in settings.GetBools()
-    before = settings.GetBool("DuplicateLabels", False)
-    settings.SetBool("DuplicateLabels", True)
-    try:
-        yield
-    finally:
-        if was_set:
-            settings.SetBool("DuplicateLabels", before)
-        else:
-            settings.RemBool("DuplicateLabels")
+    return preference("Document", "DuplicateLabels", True)
 
 
 def mark_from_schedule(objects) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import FreeCAD
@@ -23,20 +23,24 @@ from BendTorsionWB.core.patterns.numbering import numbered
 from BendTorsionWB.core.patterns.strain_map import StrainMap, strain_map
 from BendTorsionWB.core.stages import MemberGeometry
 from BendTorsionWB.core.welds.landed_marks import with_landed_marks
+from BendTorsionWB.document_nodes import nodes_told
 from BendTorsionWB.document_settings import style_in
 from BendTorsionWB.document_update import open_document
 from BendTorsionWB.exchange import report, results_workbook
+from BendTorsionWB.exchange.file_kind import FIGURES, check_ending
 from BendTorsionWB.exchange.folder_lock import locked
 from BendTorsionWB.exchange.nc1_text import text_findings
 from BendTorsionWB.exchange.output_folder import (
     OutputFolder,
     check_folder,
     check_project,
+    file_hash,
     read_manifest,
 )
 from BendTorsionWB.exchange.result_cache import key_of
 from BendTorsionWB.exchange.schedule_cells import BadCell, Name
 from BendTorsionWB.member_files import member_files, start_all
+from BendTorsionWB.members_left_out import LeftOut, left_out
 from BendTorsionWB.model_files import IFC, STEP, checked_recompute
 from BendTorsionWB.objects import assembly_bed, plate_set
 from BendTorsionWB.objects.proxy import type_of
@@ -59,8 +63,8 @@ from BendTorsionWB.solid_files import write_ifc, write_step
 @dataclass(frozen=True)
 class DocumentRecords:
     """The members of a document: their records by name, the hash of what each comes from, every
-    finding, what the title blocks say, and by member other names for layers of cut files; nodes of
-    a schedule, with meetings that are none, or None for those of the records."""
+    finding, what the title blocks say, and by member other names for layers of cut files; nodes,
+    with meetings that are none, or None for those of the records."""
 
     records: dict[str, MemberRecord]
     keys: dict[str, str]
@@ -104,8 +108,27 @@ def records_of(document, only: Sequence[str] = ()) -> DocumentRecords:
         if has_error(own):
             records[name] = failed_record(name, own)
     records = _as_written(records)
+    _check_known(document, only, records)
+    titles = style_in(document)
+    findings += text_findings(records.values(), titles.project)
+    members = {name: own.member for name, own in geometry.items()}
+    nodes = nodes_told(kinds.get("Node", ()), members, records, findings)
+    return DocumentRecords(records, keys, findings, titles, layers, nodes)
+
+
+def _check_known(document, only: Sequence[str], records: Container[str]) -> None:
+    """Raises BendTorsionError for names that are of no member, and where there is no member."""
+    if not records:
+        raise BendTorsionError(
+            error(
+                "member-unknown",
+                document.Label,
+                "no member of the document has flat patterns",
+                "give its members plates and flat patterns, or open another document",
+            )
+        )
     missing = [name for name in only if name not in records]
-    if missing or not records:
+    if missing:
         raise BendTorsionError(
             error(
                 "member-unknown",
@@ -114,11 +137,8 @@ def records_of(document, only: Sequence[str] = ()) -> DocumentRecords:
                 "use labels of its members",
                 value=name,
             )
-            for name in missing or ["any"]
+            for name in missing
         )
-    titles = style_in(document)
-    findings += text_findings(records.values(), titles.project)
-    return DocumentRecords(records, keys, findings, titles, layers)
 
 
 def _as_written(records: Mapping[str, MemberRecord]) -> dict[str, MemberRecord]:
@@ -169,8 +189,9 @@ def source_records(
 
 
 def write_figures(given: DocumentRecords, path: str | os.PathLike) -> None:
-    """Write the figures as the results workbook, or as report.json when the name ends in .json.
-    Raises BendTorsionError."""
+    """Write the figures as the results workbook (.xlsx), or as report.json when the name ends in
+    .json. Raises BendTorsionError, for another ending too."""
+    check_ending(path, FIGURES)
     records = tuple(given.records.values())
     if Path(path).suffix.lower() == ".json":
         report.write_report(records, given.findings, __version__, path, given.nodes)
@@ -228,6 +249,18 @@ def _strain_maps(document):
     return found
 
 
+def _without(given: DocumentRecords, left: LeftOut) -> DocumentRecords:
+    """The members of a document but for those left out, and what is found of these."""
+    names = [name for name in given.records if name not in left.members]
+    return replace(
+        given,
+        records={name: given.records[name] for name in names},
+        keys={name: given.keys[name] for name in names},
+        findings=(*left.findings, *left.without_theirs(given.findings)),
+        nodes=given.nodes and tuple(n for n in given.nodes if {n.through, n.other} & set(names)),
+    )
+
+
 def export_document(
     path: str | os.PathLike,
     out: str | os.PathLike,
@@ -240,7 +273,8 @@ def export_document(
 ) -> BuildResult:
     """Write STEP, IFC, sheets, cut files, workbook and report of a document into a folder. Raises
     BendTorsionError for a document that cannot be opened or holds no member, and for a folder
-    another build is writing into."""
+    another build is writing into. only: members to write; others are in what is written of the
+    whole project where their files in the folder are as in the document, and named otherwise."""
     out = Path(out)
     check_folder(out)
     with locked(out):
@@ -262,11 +296,22 @@ def _export(
         document = open_document(Path(path))
     try:
         with timing.stage("document"):
-            given = records_of(document, only)
-            _check_names(given.records)
+            given = records_of(document)
+            _check_known(document, only, given.records)
             check_project(out, given.titles.project, force)
-        folder = OutputFolder(out, read_manifest(out), given.titles.project)
-        files = member_files(given.records, given.keys, given.titles, sheets, given.layers)
+            folder = OutputFolder(out, read_manifest(out), given.titles.project)
+            # Exported into its own folder, the document itself is not what a former build left.
+            for name, own in folder.former.items():
+                place = out / name
+                if place.resolve() == Path(path).resolve() and file_hash(place) == own.sha256:
+                    folder.keep(name)
+            files = member_files(given.records, given.keys, given.titles, sheets, given.layers)
+            current = {f.member for f in files}
+            current -= {f.member for f in files if not folder.has(f.name, f.made_from)}
+            left = left_out(document.Label, given.records, only, current, folder.former)
+            given = _without(given, left)
+            _check_names(given.records)
+            files = [f for f in files if f.member in given.records]
         healthy = {name for name, record in given.records.items() if record.plates}
         with workers_for(workers, len(healthy)) as executor:
             todo = [f for f in files if f.member in healthy and not folder.has(f.name, f.made_from)]
@@ -291,12 +336,16 @@ def _export(
             with timing.stage("package"):
                 behind = Background(_uncertainties(document, healthy), _strain_maps(document))
                 keys = list(given.keys.values())
-                write_package(folder, records, given.findings, keys, given.titles, behind)
+                write_package(
+                    folder, records, given.findings, keys, given.titles, behind, nodes=given.nodes
+                )
     finally:
         FreeCAD.closeDocument(document.Name)
     with timing.stage("results"):
         keys, titles = list(given.keys.values()), given.titles
-        write_reports(folder, records, given.findings, keys, titles, titles.site)
-        left = folder.close(set(given.records) if only else None)
-    found = tuple(report.all_findings(records, (*given.findings, *left)))
+        write_reports(folder, records, given.findings, keys, titles, titles.site, given.nodes)
+        known = report.all_findings(records, given.findings)
+        refused = given.records.keys() - healthy
+        outdated = folder.close(left.members, left.outdated, refused, known)
+    found = tuple(report.all_findings(records, (*given.findings, *outdated)))
     return BuildResult(records, found, timing.stages, style=titles)

@@ -31,7 +31,7 @@ from BendTorsionWB.objects import end_cuts, plate_parts
 from BendTorsionWB.objects import surface as surface_object
 from BendTorsionWB.objects.member import cut_of
 from BendTorsionWB.objects.node import members_of
-from BendTorsionWB.objects.proxy import type_of
+from BendTorsionWB.objects.proxy import linked, type_of
 from BendTorsionWB.objects.section_spec import PROPERTY_OF_SIZE
 from BendTorsionWB.shapes import curve_shape
 
@@ -170,7 +170,7 @@ def _axis(obj, files: Path, cells: dict[str, list[dict]]) -> None:
     reverse = _is_turned(given, surface)
     row = {
         "axis": obj.Label,
-        "surface": obj.Surface.Label,
+        "surface": linked(obj, "Surface", "Surface").Label,
         "frame": obj.Frame if obj.Frame != "surface" else None,
         "fit": obj.Fit if obj.Fit != "pull" else None,
         "max_spacing": obj.MaxSpacing.Value or None,
@@ -290,9 +290,10 @@ def _member(obj, kinds, cells: dict[str, list[dict]], settings: Mapping) -> None
     ]
     default_slope = SETTINGS["default_slope"].default
     for k in range(1, obj.Segments + 1):
-        row = {"member": obj.Label, "segment": k, "section": getattr(obj, f"Section{k}").Label}
+        section = linked(obj, f"Section{k}", "SectionSpec")
+        row = {"member": obj.Label, "segment": k, "section": section.Label}
         if k == 1:
-            row["axis"] = obj.Axis.Label
+            row["axis"] = linked(obj, "Axis", "Axis").Label
         if f"Cut{k}" in obj.PropertiesList and (k > 1 or _has_cut(obj, k)):
             row["cut"] = _cut(obj, k)
         slope = f"Slope{k}"

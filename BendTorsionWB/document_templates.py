@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from BendTorsionWB.core.finding import BendTorsionError, error
+from BendTorsionWB.exchange.file_kind import DOCUMENT, check_ending
 from BendTorsionWB.exchange.whole_file import write_whole
 
 FOLDER = Path(__file__).resolve().parent.parent / "resources" / "templates"
@@ -32,11 +33,7 @@ def new_document(template: str, path: str | os.PathLike) -> None:
         raise BendTorsionError(
             error("template-unknown", template, "there is no such template", f"use {known}")
         )
-    if path.suffix.lower() != ".fcstd":
-        mend = "end it in .FCStd"
-        raise BendTorsionError(
-            error("file-kind", path.name, "does not name a FreeCAD document", mend)
-        )
+    check_ending(path, DOCUMENT)
     if path.exists():
         raise BendTorsionError(
             error("file-exists", str(path), "is there already", "choose another name")

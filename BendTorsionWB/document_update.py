@@ -26,28 +26,42 @@ from BendTorsionWB.document_difference import (
 )
 from BendTorsionWB.document_settings import keep_style, style_in
 from BendTorsionWB.exchange.difference import Change
+from BendTorsionWB.exchange.file_kind import DOCUMENT, check_ending, refuse_loop
+from BendTorsionWB.exchange.linked_documents import linked_documents, refuse_linked
 from BendTorsionWB.exchange.schedule_rows import Schedule
 from BendTorsionWB.objects import sheet as sheet_object
+from BendTorsionWB.objects.preference import without_faces
 from BendTorsionWB.objects.proxy import add_property
 
 DRAWN = ("SheetSet", "ArrangementSet", "NodeSheets")
 """Objects with drawing pages."""
+_TO_MEMBER = {
+    "PlateSet": ("Member",),
+    "Unfold": ("Plates", "Member"),
+    "AssemblyBed": ("Plates", "Member"),
+    "SheetSet": ("Unfold", "Plates", "Member"),
+}
+"""By kind of what is made of one member: the links that lead to it."""
 
 
 @dataclass
 class Update:
-    """Brings documents up to schedules. removing: whether objects of rows that are gone go too.
+    """Brings documents up to schedules. removing: whether objects of rows that are gone go too;
+    partial: whether members are left out, so that it is not known which these are.
     changes and findings: what was done and what was left, in all documents so far."""
 
     removing: bool = False
+    partial: bool = False
     changes: list[Change] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
 
     def document_of(self, schedule: Schedule, jobs: dict[str, MemberJob], sheets: bool, path: Path):
-        """The document at path, opened and brought up to the schedule; a new one when there is
-        none. Raises BendTorsionError for a file that cannot be opened."""
-        if not path.exists():
-            return build_document(schedule, jobs, sheets)
+        """The document at path, opened and brought up to the schedule, and what was left in it; a
+        new one when there is none, or only that of a split model. Raises BendTorsionError for a
+        file that cannot be opened."""
+        if not path.exists() or linked_documents(path):
+            return build_document(schedule, jobs, sheets), ()
+        before = len(self.findings)
         document = open_document(path)
         template = build_document(schedule, jobs, sheets)
         try:
@@ -57,7 +71,7 @@ class Update:
             raise
         finally:
             FreeCAD.closeDocument(template.Name)
-        return document
+        return document, tuple(self.findings[before:])
 
     def bring(self, document, template, sheets: bool = True) -> None:
         """Make the objects of a document those of the template, and no others of ours. sheets:
@@ -75,6 +89,7 @@ class Update:
             obj
             for key, obj in present.items()
             if key not in wanted
+            and not self.partial
             and getattr(obj, "FromSchedule", "")
             and (sheets or key[0] not in DRAWN)
         ]
@@ -111,34 +126,51 @@ class Update:
                 )
 
     def _remove(self, document, gone: Sequence) -> None:
+        # Of a meeting, not of a row: members that stay and have no node leave it nothing to be at.
+        nodes = [
+            obj
+            for obj in gone
+            if kind_of(obj) == "Node" and obj.Through not in gone and obj.Other not in gone
+        ]
+        going = list(gone) if self.removing else []
+        left: dict = {}
         for obj in gone:
-            added = _added_by_hand(obj, gone)
-            members = members_of([obj])
-            if self.removing:
+            if self.removing or (obj in nodes and not _added_by_hand(obj, gone)):
+                members = members_of([obj])
                 self.changes.append(Change("removed", kind_of(obj), obj.Label, member=members))
+                going += [] if obj in going else [obj]
             else:
-                used = f"; {', '.join(added)} made by hand use it" if added else ""
-                self.findings.append(
-                    warning(
-                        "row-removed",
-                        obj.Label,
-                        f"{kind_of(obj)} {obj.Label} is in the document and no longer in the "
-                        f"schedule{used}",
-                        "run update with --remove to remove it",
-                    )
+                left.setdefault(_owner(obj, gone), []).append(obj)
+        for owner, objects in left.items():
+            others = [obj.Label for obj in objects if obj != owner]
+            added = dict.fromkeys(name for obj in objects for name in _added_by_hand(obj, gone))
+            with_them = f", with {', '.join(others)}" if others else ""
+            used = f"; {', '.join(added)} made by hand use it" if added else ""
+            self.findings.append(
+                warning(
+                    "row-removed",
+                    owner.Label,
+                    f"{kind_of(owner)} {owner.Label} is in the document and no longer in the "
+                    f"schedule{with_them}{used}",
+                    "run update with --remove to remove it",
                 )
-        if self.removing:
-            # What uses an object goes before it.
-            for obj in sorted(gone, key=lambda obj: len(obj.OutListRecursive), reverse=True):
-                if kind_of(obj) in DRAWN:
-                    sheet_object.remove_pages(obj)
-                document.removeObject(obj.Name)
+            )
+        # What uses an object goes before it.
+        for obj in sorted(going, key=lambda obj: len(obj.OutListRecursive), reverse=True):
+            if kind_of(obj) in DRAWN:
+                sheet_object.remove_pages(obj)
+            document.removeObject(obj.Name)
 
 
 def open_document(path: Path):
     """A saved document, hidden; raises BendTorsionError for one that cannot be opened."""
+    # FreeCAD would open what is no document too, such as a workbook, as a new one.
+    check_ending(path, DOCUMENT)
+    refuse_loop(path)
+    refuse_linked(path)
     try:
-        return FreeCAD.openDocument(str(path), hidden=True)
+        with without_faces():
+            return FreeCAD.openDocument(str(path), hidden=True)
     except Exception as problem:
         raise BendTorsionError(
             error(
@@ -149,6 +181,15 @@ def open_document(path: Path):
                 value=str(path),
             )
         ) from problem
+
+
+def _owner(obj, gone: Sequence):
+    """The member a plate set, patterns, a bed or sheets belong to, when its row is gone as well;
+    otherwise the object itself."""
+    link = obj
+    for name in _TO_MEMBER.get(kind_of(obj), ()):
+        link = getattr(link, name, None)
+    return link if link in gone else obj
 
 
 def _created(document, model):

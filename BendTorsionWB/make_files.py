@@ -53,9 +53,11 @@ def open_schedule(path: str | os.PathLike, sheets: bool = False):
 
 
 def import_shapes(document, path: str | os.PathLike):
-    """A plain object with everything of a STEP, IGES or BREP file, faces and free curves; FreeCAD's
-    own import leaves free curves out since 1.0. Raises BendTorsionError for what cannot be read."""
+    """A plain object with everything of a STEP, IGES or BREP file, faces and free curves, in a new
+    document when document is None; FreeCAD's own import leaves free curves out since 1.0. Raises
+    BendTorsionError for what cannot be read."""
     shape = shape_from_file(path)
+    document = document or FreeCAD.newDocument(Path(path).stem)
     feature = document.addObject("Part::Feature", "Shapes")
     feature.Label, feature.Shape = Path(path).stem, shape
     return feature
@@ -91,13 +93,15 @@ def write_package(document, folder: str | os.PathLike) -> BuildResult:
             _activate(active)
 
 
-def write_report(document, path: str | os.PathLike) -> None:
-    """Write the figures of an open document as a workbook, or as JSON when the name ends so."""
+def write_report(document, path: str | os.PathLike) -> tuple[Finding, ...]:
+    """Write the figures of an open document as a workbook, or as JSON when the name ends so; what
+    was found, of members in error, which have no figures, too."""
     report = PROGRESS.get()
     report("figures", 0, 2)
     given = records_of(document)
     report("writing", 1, 2)
     write_figures(given, path)
+    return tuple(given.findings)
 
 
 def check(document) -> tuple[Finding, ...]:

@@ -7,14 +7,15 @@ import errno
 import os
 import tempfile
 import zipfile
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Container, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from BendTorsionWB.core.detailing import MemberJob
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
 from BendTorsionWB.core.lofting import MemberRecord
 from BendTorsionWB.core.patterns.numbering import shared_marks
+from BendTorsionWB.exchange.linked_documents import linked_documents
 from BendTorsionWB.exchange.output_folder import UPDATED, OutputFolder
 from BendTorsionWB.exchange.report import of_member
 from BendTorsionWB.exchange.result_cache import key_of
@@ -53,6 +54,10 @@ class ModelPart:
     name: str
     members: tuple[str, ...]
 
+    def of(self, members: Container[str]) -> ModelPart:
+        """The part with those of its members that are among these."""
+        return replace(self, members=tuple(name for name in self.members if name in members))
+
     @property
     def document(self) -> str:
         """Name of the FreeCAD document."""
@@ -88,6 +93,7 @@ def checked_recompute(document) -> tuple[Finding, ...]:
     """Recompute and return the errors of all objects: `recompute` itself never tells. Raises
     BendTorsionError for objects that lost what computes them, and for those that depend on each
     other in a circle: FreeCAD computes none of them, and leaves them up to date by their looks."""
+    from BendTorsionWB.objects.preference import without_faces
     from BendTorsionWB.objects.proxy import findings_of
     from BendTorsionWB.objects.repair import refuse_bare
 
@@ -103,7 +109,7 @@ def checked_recompute(document) -> tuple[Finding, ...]:
             )
             for obj in circle
         )
-    with to_the_end():
+    with to_the_end(), without_faces():
         document.recompute()
     findings = []
     for obj in document.Objects:
@@ -212,11 +218,14 @@ def write_model(
     """Write the documents, STEP and IFC files that are not there yet; what was found in them.
 
     records: of the members to be in them; known: findings so far, members in error have no solids
-    in the STEP and IFC files; document_of: makes the document of a part; stage and progress: told
-    where the build is.
+    in the STEP and IFC files; document_of: makes the document of a part, and tells what it left in
+    one that was there; stage and progress: told where the build is.
     """
     findings: tuple[Finding, ...] = ()
-    parts = model_parts(list(records), wanted.split)
+    # By all members there are, so that one that is left out moves no other to another document.
+    every = model_parts([row.name for row in schedule.members], wanted.split)
+    parts = [part.of(records) for part in every]
+    parts = [part for part in parts if part.members]
     for done, part in enumerate(parts):
         progress("model", done, len(parts))
         in_error = {name for name in part.members if has_error(of_member(name, known))}
@@ -241,8 +250,7 @@ def write_model(
         if folder.has(MODEL, key):
             folder.keep(MODEL)
         else:
-            if not wanted.update:
-                folder.save_by_hand(MODEL)
+            folder.save_by_hand(MODEL)
             folder.begin(MODEL)
             write_linked_model(parts, folder.out / MODEL)
             folder.wrote(MODEL, key)
@@ -266,7 +274,7 @@ def _model_part(
 
     out = folder.out
     with stage("document"):
-        document = document_of(
+        document, left = document_of(
             schedule,
             {name: jobs[name] for name in part.members},
             wanted.sheets,
@@ -279,6 +287,9 @@ def _model_part(
         except BaseException:
             FreeCAD.closeDocument(document.Name)
             raise
+    # What has errors of its own or was left is done again each time, so that it is told.
+    if left or has_error(found):
+        key = ""
     try:
         healthy = [
             name
@@ -289,21 +300,21 @@ def _model_part(
             if healthy:
                 folder.begin(part.step)
                 write_step(document, healthy, out / part.step)
-                # A model with errors of its own is built again each time, so that they are told.
-                folder.wrote(part.step, "" if has_error(found) else key)
+                folder.wrote(part.step, key)
         with stage("ifc"):
             if healthy:
                 settings = schedule.settings
                 path = out / part.ifc
                 folder.begin(part.ifc)
                 write_ifc(document, healthy, records, settings.site, settings.project, path)
-                folder.wrote(part.ifc, "" if has_error(found) else key)
+                folder.wrote(part.ifc, key)
         with stage("save"):
-            if not wanted.update:
+            if not wanted.update or linked_documents(out / part.document):
                 folder.save_by_hand(part.document)
             folder.begin(part.document)
             save(document, out / part.document)
-            folder.wrote(part.document, "" if has_error(found) or not healthy else key)
+            made_from = key if healthy else ""
+            folder.wrote(part.document, made_from or (UPDATED if wanted.update else ""))
     finally:
         FreeCAD.closeDocument(document.Name)
-    return found
+    return (*found, *left)

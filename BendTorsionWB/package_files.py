@@ -13,6 +13,7 @@ from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.error_sources import error_sources
 from BendTorsionWB.core.finding import Finding
 from BendTorsionWB.core.lofting import DevelopedPlate, MemberRecord
+from BendTorsionWB.core.nodes.node_record import NodeRecord
 from BendTorsionWB.core.patterns.strain_map import StrainMap, strain_map
 from BendTorsionWB.exchange import folder_guide, report
 from BendTorsionWB.exchange.cutting_tables import nesting_csv
@@ -93,9 +94,11 @@ def write_package(
     titles: SheetStyle,
     background: Background,
     frames: Mapping[str, tuple[list[str], Future]] | None = None,
+    nodes: Sequence[NodeRecord] | None = None,
 ) -> None:
     """Write the nesting list, the combined DXF files and the HTML report unless they are there,
-    after the files of the members. keys: of what the records come from; frames: of start_frames."""
+    after the files of the members. keys: of what the records come from; frames: of start_frames;
+    nodes: of the project, with meetings that are none, or those of the records."""
     own = {r.member: record_key(key, r) for key, r in zip(keys, records, strict=True)}
     whole = key_of(list(own.items())) if all(own.values()) else ""
     plates = [plate for record in records for plate in record.plates]
@@ -115,11 +118,12 @@ def write_package(
         folder.write(NESTING, nesting_csv(tuple(records)), whole)
     told = [finding.line() for finding in findings]
     files = list(folder_guide.rows(folder.now))
-    key = key_of(whole, [r.member for r in records], told, titles, files) if whole else ""
+    names = [r.member for r in records]
+    key = key_of(whole, names, told, titles, files, nodes) if whole else ""
     if folder.has(HTML, key):
         folder.keep(HTML)
     else:
-        page = report_page(records, findings, titles, background, files)
+        page = report_page(records, findings, titles, background, files, nodes)
         folder.write(HTML, page.encode("utf-8", "replace"), key)
     text = folder_guide.readme(titles.project, __version__, files)
     if folder.has(folder_guide.README, key_of(text)):
@@ -147,9 +151,10 @@ def report_page(
     titles: SheetStyle,
     background: Background,
     files: Sequence[tuple[str, str]] = (),
+    nodes: Sequence[NodeRecord] | None = None,
 ) -> str:
     """The HTML report: the model, strain and pattern of the plate with the largest strain, the
-    patterns of all; files: of the folder, and what is in them."""
+    patterns of all; files: of the folder, and what is in them; nodes: as of write_package."""
     pictures = [Picture("The members, seen from outside", model_svg(records))]
     plates = [plate for record in records for plate in record.plates if plate.lines]
     if plates:
@@ -174,4 +179,5 @@ def report_page(
         patterns,
         files,
         titles.told_length,
+        nodes,
     )

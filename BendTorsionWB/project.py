@@ -43,14 +43,15 @@ from BendTorsionWB.exchange.output_folder import (
     check_project,
     read_manifest,
 )
-from BendTorsionWB.exchange.part_marks import keep_part_marks, part_marks
+from BendTorsionWB.exchange.part_marks import built_from, keep_part_marks, part_marks
+from BendTorsionWB.exchange.plate_status import status_findings
 from BendTorsionWB.exchange.result_cache import FOLDER as CACHE
 from BendTorsionWB.exchange.result_cache import ResultCache, key_of
 from BendTorsionWB.exchange.revision import cut_findings
 from BendTorsionWB.exchange.schedule import read_schedule
-from BendTorsionWB.exchange.schedule_jobs import at_rows, job_of, located
+from BendTorsionWB.exchange.schedule_jobs import at_rows, located
 from BendTorsionWB.exchange.schedule_nodes import with_nodes
-from BendTorsionWB.exchange.schedule_rows import Schedule
+from BendTorsionWB.exchange.schedule_rows import Schedule, StatusRow
 from BendTorsionWB.exchange.whole_file import write_whole
 from BendTorsionWB.member_files import (
     MemberFile,
@@ -59,11 +60,11 @@ from BendTorsionWB.member_files import (
     written,
 )
 from BendTorsionWB.member_fragments import Fragments
+from BendTorsionWB.members_left_out import left_out, read_jobs_of
 from BendTorsionWB.model_files import Wanted, write_model
 from BendTorsionWB.package_files import background_of, start_frames, write_package
 from BendTorsionWB.report_files import write_reports
 from BendTorsionWB.sheet_files import write_sheet_set
-from BendTorsionWB.source_files import read_files
 
 TIMING = "timing.json"
 
@@ -120,9 +121,10 @@ def read_jobs(
 
 
 def read_project(
-    path: str | os.PathLike, only: Sequence[str] = ()
+    path: str | os.PathLike, only: Sequence[str] = (), others: bool = False
 ) -> tuple[Schedule, dict[str, detailing.MemberJob], Found]:
-    """As read_jobs, and the nodes of the project, with what was found at them and in files."""
+    """As read_jobs, and the nodes of the project, with what was found at them and in files.
+    others: the jobs of other members than `only` come along, but for those with faults."""
     schedule = read_schedule(path)
     names = [row.name for row in schedule.members]
     unknown = [name for name in only if name not in names]
@@ -139,10 +141,11 @@ def read_project(
         )
     # Nodes lie between all members, whichever of them are built.
     has_nodes = schedule.nodes or any(row.rank is not None for row in schedule.members)
-    rows = [row for row in schedule.members if has_nodes or not only or row.name in only]
-    files = read_files(schedule, rows)
-    jobs, found = with_nodes(schedule, {row.name: job_of(schedule, row, files) for row in rows})
-    jobs = {name: job for name, job in jobs.items() if not only or name in only}
+    every = has_nodes or others or not only
+    rows = [row for row in schedule.members if every or row.name in only]
+    plain, files = read_jobs_of(schedule, rows, () if has_nodes else only)
+    jobs, found = with_nodes(schedule, plain)
+    jobs = {name: job for name, job in jobs.items() if not only or others or name in only}
     at_nodes = [f for f in found.findings if not jobs.keys().isdisjoint(f.objects)]
     at_site = datum_findings(schedule.settings.site)
     return schedule, jobs, replace(found, findings=(*at_site, *files.findings, *at_nodes))
@@ -177,7 +180,7 @@ def detail_members(
     found = {name: cache.find(keys[name]) for name in jobs} if cache else {}
     results = {name: result for name, result in found.items() if result is not None}
     pending = {name: job for name, job in jobs.items() if name not in results}
-    faults, lost = [], []
+    faults, lost, packed = [], [], {}
     try:
         for done, (name, outcome) in enumerate(
             attempts(_attempt, pending, executor), start=len(results) + 1
@@ -187,6 +190,7 @@ def detail_members(
                 lost.append(error("worker-failed", name, outcome.failure, mend))
             elif isinstance(outcome.value, detailing.DetailedMember):
                 results[name] = outcome.value
+                packed[name] = outcome.packed if cache else b""
             else:
                 row = schedule.member(name)
                 faults += [located(schedule, row, finding) for finding in outcome.value]
@@ -195,7 +199,7 @@ def detail_members(
         # Also when interrupted: what was computed until then need not be again.
         for name in pending if cache and not faults else ():
             if name in results:
-                cache.keep(keys[name], results[name])
+                cache.keep(keys[name], results[name], packed.pop(name))
     if faults:
         raise BendTorsionError(dict.fromkeys(faults))
     for result in results.values():
@@ -219,12 +223,14 @@ def build(
     wanted: Wanted = EVERYTHING,
     executor: Executor | None = None,
     removing: bool = False,
-    statuses: Mapping[str, str] | None = None,
+    statuses: Sequence[StatusRow] = (),
     force: bool = False,
 ) -> BuildResult:
     """Build a schedule into a folder: document, STEP, IFC, cut files, sheets, workbook, reports.
 
-    What is there already and made from the same input is left as it is. workers: processes of a
+    What is there already and made from the same input is left as it is. only: members to compute;
+    others are in what is written of the whole project as far as they are known to be unchanged
+    since a build before, and named where they are left out. workers: processes of a
     pool of its own; executor: any other to use instead; removing: with wanted.update, whether
     objects go whose rows are gone from the schedule; statuses: of plates in the shop, besides
     those of the schedule; force: into the folder of another project as well. Raises
@@ -249,15 +255,22 @@ def _build(
     wanted: Wanted,
     executor: Executor | None,
     removing: bool,
-    statuses: Mapping[str, str] | None,
+    statuses: Sequence[StatusRow],
     force: bool,
 ) -> BuildResult:
     timing = Timing()
     with timing.stage("read"):
-        schedule, jobs, found = read_project(path, only)
+        schedule, jobs, found = read_project(path, only, others=True)
         check_project(out, schedule.settings.project, force)
-    update = Update(removing)
-    cache, keys = ResultCache(out / CACHE), {n: key_of(stamped(job)) for n, job in jobs.items()}
+        cache, keys = ResultCache(out / CACHE), {n: key_of(stamped(job)) for n, job in jobs.items()}
+        former = read_manifest(out)
+        built = built_from(out)
+        known = {n for n, key in keys.items() if cache.has(key) or built.get(n) == key}
+        members = [row.name for row in schedule.members]
+        left = left_out(schedule.file, members, only, known, former)
+        jobs, keys = ({n: own[n] for n in own if n not in left.members} for own in (jobs, keys))
+        found = replace(found, findings=left.without_theirs(found.findings))
+    update = Update(removing, bool(left.members))
     with workers_for(workers, len(jobs)) as own:
         executor = executor or own
         with timing.stage("members"):
@@ -266,18 +279,27 @@ def _build(
             from BendTorsionWB.shapes.clash import clashes
 
             geometry = {name: item.geometry for name, item in detailed.items()}
-            findings = (*lost, *found.findings, *clashes(geometry, found.met))
+            findings = (*lost, *left.findings, *found.findings, *clashes(geometry, found.met))
             members = {name: own.member for name, own in geometry.items()}
             nodes = all_records(found, findings, members, list(jobs))
-        folder = OutputFolder(out, read_manifest(out), schedule.settings.project)
+        folder = OutputFolder(out, former, schedule.settings.project)
         titles = schedule.settings.sheet_style
         with timing.stage("numbering"):
             own = [item.record for item in detailed.values()]
             own = [replace(one, findings=at_rows(schedule, one.findings)) for one in own]
             own = with_landed_marks(own)
-            marks = part_marks(out, own, keys, bool(only))
+            marks = part_marks(out, own, keys, bool(left.members))
             developed = {record.member: record for record in marks.records}
             findings += (*marks.findings, *text_findings(marks.records, titles.project))
+        rows = (*schedule.statuses, *statuses)
+        statuses = {row.name: row.status for row in rows}
+        with timing.stage("revision"):
+            # Before any file is made: nothing of a member refused here may reach the model.
+            run = executor.map if executor else map
+            kept = out / KEPT_OUTLINES
+            since = compared(out, kept, developed.values(), statuses, left.members, run)
+            findings += cut_findings(since.changes)
+            slips = status_findings(rows, since.marks, {*left.members, *(jobs.keys() - developed)})
         layers = dict.fromkeys(developed, named_layers(schedule.settings.layer_names))
         files = member_files(developed, keys, titles, wanted.sheets, layers)
         # Workers make the files of all members while this process builds the document.
@@ -297,22 +319,12 @@ def _build(
                 timing.stage,
                 progress,
             )
-            findings += tuple(update.findings)
-        statuses = {row.name: row.status for row in schedule.statuses} | dict(statuses or {})
-        with timing.stage("revision"):
-            since = compared(
-                out,
-                out / KEPT_OUTLINES,
-                developed.values(),
-                statuses,
-                bool(only),
-                executor.map if executor else map,
-            )
-            findings += cut_findings(since.changes)
         records = tuple(
             _record(name, developed.get(name), report.of_member(name, findings)) for name in jobs
         )
         healthy = {record.member for record in records if record.plates}
+        refused = jobs.keys() - healthy
+        findings += slips  # about the list, whatever its file is named after
         with timing.stage("files"):
             write_member_files(folder, files, made, healthy, progress)
             if wanted.sheets:
@@ -320,7 +332,7 @@ def _build(
         with timing.stage("package"):
             behind = background_of(jobs, detailed, fragments)
             own = list(keys.values())
-            write_package(folder, records, findings, own, titles, behind, frames)
+            write_package(folder, records, findings, own, titles, behind, frames, nodes)
             keep_part_marks(out, marks)
         with timing.stage("results"):
             write_reports(folder, records, findings, own, titles, site, nodes, fragments)
@@ -328,11 +340,12 @@ def _build(
     with timing.stage("revision"):
         for name in comparison_files(since):
             folder.begin(name)
-        for name in write_comparison(since, out, out / KEPT_OUTLINES, statuses):
+        for name in write_comparison(since, out, kept, statuses, refused):
             folder.wrote(name, "")
     with timing.stage("tidy"):
-        findings += folder.close(set(jobs) if only else None)
-        if not only:
+        known = report.all_findings(records, findings)
+        findings += folder.close(left.members, left.outdated, refused, known)
+        if not left.members:
             cache.sweep([*keys.values(), *fragments.keys.values()])
     write_whole(out / TIMING, _json({**timing.stages, "total": sum(timing.stages.values())}))
     found = tuple(report.all_findings(records, findings))
@@ -349,7 +362,7 @@ def issue_folder(out: str | os.PathLike, revision: str, note: str = "") -> Issue
 
 
 def _new_document(schedule, jobs, sheets: bool, path: Path):
-    return build_document(schedule, jobs, sheets)
+    return build_document(schedule, jobs, sheets), ()
 
 
 def write_member_files(

@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 import os
+import tempfile
 from pathlib import Path
 
-from BendTorsionWB.core.finding import Finding, warning
+from BendTorsionWB.core.finding import BendTorsionError, Finding, error, warning
 from BendTorsionWB.core.memo import content_hash
 from BendTorsionWB.document import build_document
 from BendTorsionWB.document_difference import document_changes, kind_of, objects_of
@@ -15,6 +16,7 @@ from BendTorsionWB.document_update import open_document
 from BendTorsionWB.exchange.difference import Change, schedule_changes
 from BendTorsionWB.exchange.schedule import read_schedule
 from BendTorsionWB.exchange.schedule_writer import write_schedule
+from BendTorsionWB.exchange.whole_file import write_changed
 from BendTorsionWB.objects import section_spec
 from BendTorsionWB.project import read_jobs
 
@@ -62,23 +64,40 @@ def write_document_back(
 
 def write_back(document, path: str | os.PathLike) -> tuple[Finding, ...]:
     """Write a document as a schedule: a workbook (.xlsx) or a folder of CSV, and a folder beside it
-    for shapes. A warning for each thing a schedule cannot say; raises BendTorsionError for objects
-    that cannot be computed.
+    for shapes. A warning for each thing a schedule cannot say; raises BendTorsionError, before
+    anything is written, for a document without members and for objects that cannot be computed.
 
-    Told by reading what was written, making its document, and comparing.
+    Told by reading what is to be written, making its document, and comparing.
     """
     import FreeCAD
 
     path = Path(path)
-    write_schedule(rows_of(document, path.with_name(f"{path.stem} files")), path)
-    schedule, jobs = read_jobs(path)
-    sheets = any(kind_of(obj) == "SheetSet" for obj in document.Objects)
-    again = build_document(schedule, jobs, sheets)
-    try:
-        equal = _equal_sections(document, again)
-        changes = document_changes(document, again)
-    finally:
-        FreeCAD.closeDocument(again.Name)
+    if not any(kind_of(obj) == "Member" for obj in document.Objects):
+        raise BendTorsionError(
+            error(
+                "member-unknown",
+                document.Label,
+                "there is no member in the document",
+                "open another document",
+            )
+        )
+    with tempfile.TemporaryDirectory() as folder:
+        trial = Path(folder) / path.name
+        files = trial.with_name(f"{path.stem} files")
+        rows = rows_of(document, files)
+        write_schedule(rows, trial)
+        schedule, jobs = read_jobs(trial)
+        sheets = any(kind_of(obj) == "SheetSet" for obj in document.Objects)
+        again = build_document(schedule, jobs, sheets)
+        try:
+            equal = _equal_sections(document, again)
+            changes = document_changes(document, again)
+        finally:
+            FreeCAD.closeDocument(again.Name)
+        shapes = {file.name: file.read_bytes() for file in sorted(files.glob("*"))}
+    for name, content in shapes.items():
+        write_changed(path.with_name(files.name) / name, content)
+    write_schedule(rows, path)
     return tuple(
         warning(
             "not-in-schedule",

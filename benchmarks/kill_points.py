@@ -1,18 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The program killed at its writes, one by one: what is there afterwards, and whether it goes on.
 
-Run: python3 benchmarks/kill_points.py [points, 500 when left out]
+Run: python3 benchmarks/kill_points.py [points, 500 when left out] [file to go on from]
 
 A small project is built, built again after a change, updated, exported, written back as a schedule,
 issued and reported in child processes that die at their n-th write, rename, removal or change of
 mode, before it or in the middle. After each every file must be as it was before or as it would be
-after, to the byte, and the same command run again must give the folder of an undisturbed run.
+after, to the byte, and the same command run again must give the folder of an undisturbed run. What
+was found is kept in the file, if one is named, so that a run that was stopped goes on where it was,
+unless the program has changed since.
 """
 
 import os
 
 os.environ["OPENBLAS_NUM_THREADS"] = "1"
 
+import json
 import shutil
 import sys
 import tempfile
@@ -28,10 +31,28 @@ freecad_path.append()
 
 from kill_scenarios import scenarios, tried  # noqa: E402
 
+from BendTorsionWB.exchange.result_cache import program_key  # noqa: E402
+
+
+def found_at(one, place, known, kept):
+    """What `tried` says of a scenario killed at a place, or said in an earlier run of this one."""
+    key = (program_key(), one.name, one.points, place)
+    if key not in known:
+        known[key] = tried(one, place)
+        if kept is not None:
+            with open(kept, "a") as stream:
+                stream.write(json.dumps([*key, *known[key]]) + "\n")
+    return known[key]
+
 
 def main():
     wanted = int(sys.argv[1]) if len(sys.argv) > 1 else 500
+    kept = Path(sys.argv[2]) if len(sys.argv) > 2 else None
+    lines = kept.read_text().splitlines() if kept is not None and kept.exists() else []
+    known = {tuple(key): (lost, stuck) for *key, lost, stuck in map(json.loads, lines)}
     start = time.time()
+    # Known before the first fork: sources edited meanwhile would be another program's cache.
+    program_key()
     with tempfile.TemporaryDirectory() as folder:
         every = scenarios(Path(folder))
         total = sum(one.points for one in every)
@@ -40,7 +61,7 @@ def main():
         for one in every:
             share = min(one.points, max(6, round(wanted * one.points / total)))
             places = sorted({round(k * one.points / share) for k in range(1, share + 1)})
-            found = [tried(one, place) for place in places]
+            found = [found_at(one, place, known, kept) for place in places]
             bad = [text for text, _ in found if text]
             halted = [text for _, text in found if text]
             print(

@@ -30,6 +30,7 @@ from BendTorsionWB.core.members.contour import end_curves  # noqa: E402
 from BendTorsionWB.core.nodes.node_faces import outer_faces  # noqa: E402
 from BendTorsionWB.shapes import brep, cut_solid  # noqa: E402
 from BendTorsionWB.shapes.flat_solid import flat_solid  # noqa: E402
+from BendTorsionWB.sheets.pdf import start_qt  # noqa: E402
 
 SCHEDULE = ROOT / "resources/examples/concert_hall/concert_hall_nodes.xlsx"
 W = np.linspace(0.0, 1.0, 41)
@@ -164,6 +165,7 @@ def main(arguments: list[str]) -> int:
                         worst = max(worst, end.common(other).Volume)
     told(f"largest overlap of solids, {pairs} pairs", worst, 1e-3, "mm3")
     if build:
+        start_qt()
         with tempfile.TemporaryDirectory() as folder:
             start = time.perf_counter()
             result = project.build(path, folder, workers=2)

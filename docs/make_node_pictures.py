@@ -37,6 +37,7 @@ from BendTorsionWB.core.nodes.node_input import NodeInput, NodeRules  # noqa: E4
 from BendTorsionWB.core.nodes.node_jobs import jobs_with_nodes  # noqa: E402
 from BendTorsionWB.core.patterns.pattern import develop_plate  # noqa: E402
 from BendTorsionWB.core.sections.section import box  # noqa: E402
+from BendTorsionWB.core.welds.landed_marks import with_landed_marks  # noqa: E402
 from BendTorsionWB.shapes import cut_solid  # noqa: E402
 from BendTorsionWB.shapes.flat_solid import flat_solid  # noqa: E402
 from BendTorsionWB.sheets.pdf import write_pdf  # noqa: E402
@@ -147,7 +148,12 @@ def nodes() -> None:
             (),
             (),
         ),
-        ("on an arris", [x, ("Y", (300, -1300, 1400), (0, 0, 0), SMALL)], (), ()),
+        (
+            "on an arris, a web of the box left out",
+            [x, ("Y", (300, -1300, 1400), (0, 0, 0), SMALL)],
+            (webs,),
+            ("X-R1",),
+        ),
     ]
     pictures.sheet(
         [
@@ -221,7 +227,7 @@ def sheet() -> None:
     jobs = {item[0]: job(*item) for item in members}
     row = NodeInput("X", "Y", type="stub", stub_length=900.0)
     made, _ = jobs_with_nodes(jobs, {"X": 1, "Y": 2}, (row,), SHORT)
-    records = [detailing.detail(one).record for one in made.values()]
+    records = with_landed_marks([detailing.detail(one).record for one in made.values()])
     with tempfile.TemporaryDirectory() as folder:
         write_pdf(node_sheets(records, SheetStyle("Two beams")), Path(folder) / "nodes.pdf")
         pdf, picture = f"{folder}/nodes.pdf", pictures.IMAGES / "node_sheet"

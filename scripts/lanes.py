@@ -247,7 +247,7 @@ def run_libraries(lane: Libraries, arguments: list[str]) -> int:
     folder = LANES / lane.name
     folder.parent.mkdir(parents=True, exist_ok=True)
     stamp = folder / ".made"
-    wanted = " ".join(("scipy", "pytest", *lane.packages))
+    wanted = " ".join(("scipy", "pytest", "pytest-xdist", *lane.packages))
     if not stamp.exists() or stamp.read_text(encoding="utf-8") != wanted:
         shutil.rmtree(folder, ignore_errors=True)
         made = subprocess.run([python, "-m", "venv", str(folder)], **QUIET).returncode == 0

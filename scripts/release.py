@@ -85,9 +85,12 @@ def version():
 
 
 def product_files():
-    """The files of the archive: what git keeps of the product, in order."""
+    """The files of the archive: those of the product that git keeps or would, in order."""
     listed = subprocess.run(
-        ["git", "ls-files", "-z", "--", *PRODUCT], cwd=ROOT, capture_output=True, check=True
+        ["git", "ls-files", "-co", "--exclude-standard", "-z", "--", *PRODUCT],
+        cwd=ROOT,
+        capture_output=True,
+        check=True,
     ).stdout.decode("utf-8")
     return sorted(name for name in listed.split("\0") if name and (ROOT / name).is_file())
 

@@ -68,6 +68,23 @@ def pytest_collection_modifyitems(config, items):
     if LEFT_OUT:
         config.hook.pytest_deselected(items=[item for item in items if item not in kept])
         items[:] = kept
+    if hasattr(config, "workerinput"):
+        # Workers take files in turn: the long ones first, so that none ends alone.
+        slow = {item.path for item in kept if item.get_closest_marker("slow")}
+        items.sort(key=lambda item: item.path not in slow)
+
+
+def pytest_sessionfinish(session):
+    """A worker tells the one that started it what was left out."""
+    if hasattr(session.config, "workeroutput"):
+        session.config.workeroutput["left_out"] = LEFT_OUT
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_testnodedown(node):
+    """Every worker collects all tests: what it left out is told once."""
+    told = getattr(node, "workeroutput", {}).get("left_out", [])
+    LEFT_OUT.extend(line for line in told if line not in LEFT_OUT)
 
 
 def pytest_terminal_summary(terminalreporter):

@@ -2,7 +2,9 @@
 """The commands on documents: export, report, writing back; and what is refused in one line."""
 
 import json
+import re
 import shutil
+from pathlib import Path
 
 import FreeCAD
 import openpyxl
@@ -10,7 +12,7 @@ import Part
 import pytest
 from test_build import APART, schedule
 
-from BendTorsionWB import project
+from BendTorsionWB import arguments, project
 from BendTorsionWB.__main__ import main
 from BendTorsionWB.document import build_document
 from BendTorsionWB.exchange.schedule import read_schedule
@@ -131,7 +133,8 @@ def test_two_members_of_one_name_in_a_document_and_in_a_schedule(tmp_path, capsy
     book["Members"]["A4"] = "M1"
     book.save(path)
     assert main(["check", str(path)]) == 2
-    assert "segment 1 of M1 is already in row 2" in capsys.readouterr().err
+    [line] = capsys.readouterr().err.splitlines()
+    assert "segment 1 of M1 is already in row 2" in line and "another name" in line
 
 
 def test_a_cycle_of_links_is_named_and_nothing_stale_is_exported(tmp_path, capsys):
@@ -232,3 +235,73 @@ def test_a_full_disk_while_the_model_is_saved_leaves_the_former_one(built, tmp_p
         assert [p.name for p in tmp_path.iterdir()] == ["model.FCStd"]
     finally:
         FreeCAD.closeDocument(document.Name)
+
+
+def test_a_fault_of_the_program_is_one_line_and_debug_tells_where(tmp_path, capsys, monkeypatch):
+    def broken(*given, **named):
+        raise ZeroDivisionError("a fault of ours")
+
+    monkeypatch.setattr(project, "build", broken)
+    call = ["build", str(tmp_path / "s.xlsx"), "--out", str(tmp_path / "out")]
+    assert main(call) == 1
+    told = capsys.readouterr().err
+    assert told.count("\n") == 1 and "ZeroDivisionError" in told and "--debug" in told
+    assert main([*call, "--debug"]) == 1
+    told = capsys.readouterr().err
+    assert "Traceback" in told and "in broken" in told
+
+
+def test_names_of_files_that_cannot_be_are_told_before_anything_is_computed(tmp_path, capsys):
+    path = schedule(tmp_path / "two.xlsx", APART)
+    for name in ("loop", "loop.FCStd"):
+        (tmp_path / name).symlink_to(tmp_path / name)
+    before = sorted(tmp_path.iterdir())
+    for words, told in (
+        (["report", path, "--report", tmp_path / "r.txt"], "r.txt"),
+        (["report", path, "--report", tmp_path / "r.csv"], ".xlsx, .json"),
+        (["diff", path, path, "--report", tmp_path / "r.pdf"], ".xlsx, .csv, .json"),
+        (["export", path, "--out", tmp_path / "out"], ".FCStd"),
+        (["build", path, "--out", tmp_path / "out", "--status", "no.csv"], "no such file"),
+        (["build", tmp_path / "loop", "--out", tmp_path / "out"], "leads back to itself"),
+        (["report", tmp_path / "loop.FCStd"], "leads back to itself"),
+        (["new", "--template", "member"], "--out is missing"),
+        (["new", "--out", tmp_path / "new.FCStd"], "--template is missing"),
+    ):
+        assert main([str(word) for word in words]) == 2, words
+        printed = capsys.readouterr()
+        [line] = printed.err.splitlines()
+        assert line.startswith("error") and told in line, words
+        assert "members" not in printed.out or words[0] == "new"
+    assert sorted(tmp_path.iterdir()) == before
+
+
+@pytest.mark.parametrize("command", ["build", "update", "check", "report", "export"])
+@pytest.mark.parametrize("names", ["", " , "])
+def test_no_name_of_a_member_is_not_all_of_them(tmp_path, capsys, command, names):
+    words = [command, str(tmp_path / "two.xlsx"), "--only", names]
+    words += ["--out", str(tmp_path / "out")] if command in ("build", "update", "export") else []
+    with pytest.raises(SystemExit) as ended:
+        main(words)
+    assert ended.value.code == 2
+    assert "--only: names no member" in capsys.readouterr().err
+
+
+def test_every_command_and_option_is_in_the_documentation():
+    """And no other is."""
+    text = (Path(__file__).parent.parent / "docs/projects.md").read_text()
+    rows = [line.split("|") for line in text.splitlines() if line.startswith("| `")]
+    told = {word for row in rows for word in re.findall(r"`(--[a-z-]+|[a-z]+)\b", row[1])}
+    [commands] = [a for a in arguments.parser()._actions if a.dest == "command"]
+    options = {
+        option
+        for command in commands.choices.values()
+        for action in command._actions
+        for option in action.option_strings
+        if option.startswith("--") and option != "--help"
+    }
+    # Of one command and told with it.
+    elsewhere = {"--out", "--rev", "--note", "--template", "--report"}
+    missing = (set(commands.choices) | options) - elsewhere - told
+    assert not missing
+    assert {word for word in told if word.startswith("--")} - elsewhere <= options
+    assert "$ python3" not in text and "`python3" not in text

@@ -5,9 +5,12 @@ import ast
 import os
 import re
 import xml.etree.ElementTree as tree
+from importlib import import_module
 from pathlib import Path
 
 import pytest
+
+from BendTorsionWB.sheets.qt import qt_modules
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
@@ -96,7 +99,7 @@ def test_colours_by_every_figure():
 @pytest.fixture(scope="module")
 def application():
     """Qt without a window."""
-    from PySide2 import QtWidgets
+    from BendTorsionWB.gui.qt import QtWidgets
 
     return QtWidgets.QApplication.instance() or QtWidgets.QApplication([])
 
@@ -104,20 +107,20 @@ def application():
 @pytest.mark.parametrize("name", PROMISED)
 def test_the_icon_can_be_seen_on_light_and_on_dark(application, name):
     """An SVG of its own; at 24 pixels a tenth of it stands out from either background."""
-    from PySide2 import QtCore, QtGui, QtSvg
-
+    core, gui = qt_modules()
+    svg = import_module(f"{core.__name__.split('.')[0]}.QtSvg")
     path = ICONS / f"BendTorsion_{name}.svg"
     assert path.stat().st_size < 10_000
     assert tree.parse(path).getroot().findtext("{http://www.w3.org/2000/svg}title")
-    renderer = QtSvg.QSvgRenderer(str(path))
+    renderer = svg.QSvgRenderer(str(path))
     assert renderer.isValid()
     for background in ("#f2f2f2", "#26282c"):
-        picture = QtGui.QImage(24, 24, QtGui.QImage.Format_RGB32)
-        picture.fill(QtGui.QColor(background))
-        painter = QtGui.QPainter(picture)
-        renderer.render(painter, QtCore.QRectF(0.0, 0.0, 24.0, 24.0))
+        picture = gui.QImage(24, 24, gui.QImage.Format_RGB32)
+        picture.fill(gui.QColor(background))
+        painter = gui.QPainter(picture)
+        renderer.render(painter, core.QRectF(0.0, 0.0, 24.0, 24.0))
         painter.end()
-        ground = QtGui.QColor(background).lightnessF()
+        ground = gui.QColor(background).lightnessF()
         pixels = [picture.pixelColor(x, y) for x in range(24) for y in range(24)]
         seen = [pixel for pixel in pixels if abs(pixel.lightnessF() - ground) > 0.18]
         assert len(seen) > 0.1 * len(pixels), background

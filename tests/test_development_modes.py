@@ -105,6 +105,22 @@ def test_flat_points_find_their_place_on_the_plate(mode):
     assert caught.value.findings[0].code == "point-off-pattern"
 
 
+def test_a_point_of_a_pattern_that_is_nearly_a_ring_is_found_on_its_own_side():
+    """A flat plate on 5.2 of the 6.28 rad of a circle, its own pattern: the place of a point is
+    its angle and its distance from the middle."""
+    radius, width, length = 1200.0, 700.0, 5.2 * 1200.0
+    rails = ruled_patches.bent_in_plane(lambda s: width + 0.0 * s, radius, 0.0, length)
+    random = np.random.default_rng(3)
+    s, w = random.uniform(0.0, length, 300), random.uniform(0.0, 1.0, 300)
+    development = develop(rails)
+    place = development.point(s, w) - np.array([0.0, radius, 0.0])
+    angle = np.mod(np.arctan2(place[:, 0], -place[:, 1]), 2.0 * np.pi)
+    across = 0.5 + (radius - np.linalg.norm(place[:, :2], axis=1)) / width
+    found = locate(development, development.flat(s, w))
+    assert found[0] == pytest.approx(radius * angle, abs=1e-4)
+    assert found[1] == pytest.approx(across, abs=1e-7)
+
+
 @pytest.mark.parametrize("mode", MODES)
 def test_the_rates_of_the_flat_map_are_those_of_its_points(mode):
     development = laid(wavy(), mode)

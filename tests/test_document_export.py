@@ -93,6 +93,9 @@ def test_members_of_a_document_that_run_through_each_other_are_refused_by_name(t
         told = [(f.code, f.objects) for f in found.findings if f.severity == "error"]
         assert told == [("node-unresolved", ("M1", "M2"))]
         assert not any(record.plates for record in found.records.values())
+        assert [(node.through, node.other, node.status) for node in found.nodes] == [
+            ("M1", "M2", "node-unresolved")
+        ]
         alone = records_of(document, ["M1"])
         assert alone.records["M1"].plates and not alone.findings
     finally:

@@ -66,6 +66,27 @@ def written(plate, tmp_path, **options):
     return path, ezdxf.readfile(path)
 
 
+def test_arcs_lower_than_nc1_tells_are_lines():
+    """An arc of 30 km radius over 600 mm rises 1.5 µm: a line, within the tolerance all the same;
+    one just above the limit stays an arc, and tolerances tighter than the limit hold."""
+    x = np.linspace(0.0, 600.0, 200)
+
+    def run(rise):
+        return np.column_stack([x, 4.0 * rise * x * (600.0 - x) / 600.0**2])
+
+    for rise in (0.0015, 0.0049, -0.0049):
+        assert fit_arcs(run(rise))[:, 2].tolist() == [0.0, 0.0]
+    assert abs(fit_arcs(run(0.0051))[0, 2]) == pytest.approx(2 * 0.0051 / 600.0, rel=0.01)
+    wave = np.column_stack([x, 0.019 * np.sin(x / 40.0)])
+    for tolerance in (0.02, 0.01, 0.002):
+        for dense in (run(0.0049), run(0.03), wave):
+            arcs = fit_arcs(dense, tolerance)
+            chord = np.hypot(*np.diff(arcs[:, :2], axis=0).T)
+            rise = 0.5 * chord * np.abs(arcs[:-1, 2])
+            assert ((rise == 0.0) | (rise >= min(0.005, 0.25 * tolerance))).all()
+            assert deviation(arcs, dense).max() <= tolerance
+
+
 def test_a_straight_run_is_one_line():
     run = np.linspace([0.0, 0.0], [9000.0, 400.0], 300)
     assert np.array_equal(fit_arcs(run), [[0.0, 0.0, 0.0], [9000.0, 400.0, 0.0]])

@@ -87,3 +87,16 @@ def _end_area(solid, built):
 def _hashed(geometry):
     object.__setattr__(geometry, "_made_from", f"test {id(geometry)}")
     return geometry
+
+
+def test_a_round_surface_that_comes_again_beyond_the_other_end_cuts_the_near_one():
+    """A box that leaves a tank by its wall at 200 mm; the opposite wall is 0.8 m beyond its end.
+    The outer solid is 800 mm times ∫ (6000 - 3500 + (R² - y²)½) dy over its breadth."""
+    radius, middle, half = 3300.0, 3500.0, 300.0
+    tank = Cylinder(radius, (middle, 0.0, 0.0))
+    built = straight(start=EndCut("surface", surface=tank))
+    segment = half * np.sqrt(radius**2 - half**2) + radius**2 * np.arcsin(half / radius)
+    [solid] = cut_solid.member_solids(built.geometry)
+    assert solid.isValid()
+    expected = 800.0 * (2.0 * half * (6000.0 - middle) + segment)
+    assert solid.Volume == pytest.approx(expected, rel=1e-6)

@@ -57,8 +57,10 @@ def first_builds(tmp_path_factory):
     """What the schedule gives in a new folder, built once with a model and once without."""
     folder = tmp_path_factory.mktemp("first")
     path = schedule(folder / "two.xlsx", APART)
-    return {wanted: (build(path, folder / str(wanted.model), wanted), folder / str(wanted.model))
-            for wanted in (NO_MODEL, PLAIN)}
+    return {
+        wanted: (build(path, folder / str(wanted.model), wanted), folder / str(wanted.model))
+        for wanted in (NO_MODEL, PLAIN)
+    }
 
 
 @pytest.fixture
@@ -115,11 +117,12 @@ def test_a_second_build_computes_and_writes_nothing(book, tmp_path, computed):
 
 
 @pytest.mark.slow
-def test_a_changed_member_is_computed_alone_and_all_is_as_in_a_new_folder(book, tmp_path, computed):
+def test_a_changed_member_is_computed_alone_and_all_is_as_in_a_new_folder(
+    book, tmp_path, computed, begun
+):
     out = tmp_path / "out"
-    build(book, out, PLAIN)
+    begun(out, PLAIN)
     before = state(out)
-    computed.clear()
     change(book, "Members", 4, "align", "centre")
     build(book, out, PLAIN)
     assert computed == ["M2"]
@@ -170,10 +173,11 @@ def test_of_a_changed_member_alone_rows_and_pictures_are_made_anew(book, tmp_pat
     assert contents(out) == contents(tmp_path / "anew")
 
 
-def test_a_row_moved_or_another_members_section_changes_nothing_else(book, tmp_path, computed):
+def test_a_row_moved_or_another_members_section_changes_nothing_else(
+    book, tmp_path, computed, begun
+):
     out = tmp_path / "out"
-    build(book, out)
-    computed.clear()
+    begun(out)
     change(book, "Sections", 3, "h", 520)
     build(book, out)
     assert computed == ["M1"], "B500 is used by M1 only"
@@ -192,10 +196,9 @@ def _stamped(key, body):
 
 
 @pytest.mark.parametrize("harm", ["cut", "bit", "empty", "swapped", "bomb", "other", "gone"])
-def test_a_damaged_or_foreign_cache_is_not_used(book, tmp_path, computed, harm):
+def test_a_damaged_or_foreign_cache_is_not_used(book, tmp_path, computed, harm, begun):
     out = tmp_path / "out"
-    first = build(book, out)
-    computed.clear()
+    first = begun(out)
     one, two = cached(out)
     content = one.read_bytes()
     trap = tmp_path / "trap"
@@ -225,10 +228,9 @@ def _stamp_of(path):
     return result_cache._stamp(path.stem, content.partition(b"\n")[2])
 
 
-def test_another_program_does_not_use_these_results(book, tmp_path, computed, monkeypatch):
+def test_another_program_does_not_use_these_results(book, tmp_path, computed, monkeypatch, begun):
     out = tmp_path / "out"
-    build(book, out)
-    computed.clear()
+    begun(out)
     monkeypatch.setattr(result_cache, "program_key", lambda: "another version")
     build(book, out)
     assert computed == ["M1", "M2"]
@@ -244,9 +246,9 @@ def test_the_key_of_the_program_follows_its_source(tmp_path, monkeypatch):
     assert result_cache.program_key.__wrapped__() != first
 
 
-def test_a_cut_file_touched_by_hand_is_written_again(book, tmp_path):
+def test_a_cut_file_touched_by_hand_is_written_again(book, tmp_path, begun):
     out = tmp_path / "out"
-    build(book, out)
+    begun(out)
     place = next((out / "plates").glob("M1-*.dxf"))
     good = place.read_bytes()
     place.write_bytes(good + b"\n")
@@ -266,9 +268,9 @@ def test_a_cache_that_cannot_be_written_costs_time_only(book, tmp_path, computed
 
 
 @pytest.mark.slow
-def test_without_a_model_a_former_one_does_not_stay_unless_changed_by_hand(book, tmp_path):
+def test_without_a_model_a_former_one_does_not_stay_unless_changed_by_hand(book, tmp_path, begun):
     out = tmp_path / "out"
-    build(book, out, PLAIN)
+    begun(out, PLAIN)
     build(book, out, NO_MODEL)
     assert not (out / "model.FCStd").exists() and not (out / "model.step").exists()
     build(book, out, PLAIN)
@@ -280,9 +282,9 @@ def test_without_a_model_a_former_one_does_not_stay_unless_changed_by_hand(book,
 
 
 @pytest.mark.slow
-def test_a_model_changed_by_hand_is_set_aside_not_lost(book, tmp_path):
+def test_a_model_changed_by_hand_is_set_aside_not_lost(book, tmp_path, begun):
     out = tmp_path / "out"
-    build(book, out, PLAIN)
+    begun(out, PLAIN)
     good = (out / "model.FCStd").read_bytes()
     (out / "model.FCStd").write_bytes(b"drawn over by hand")
     build(book, out, PLAIN)

@@ -24,7 +24,7 @@ def window(tmp_path_factory):
         time_limit=400,
         pictures=ROOT / "build" / "pictures" / "language",
     )
-    for step in ("commands", "pages", "panels"):
+    for step in ("commands", "pages", "panels", "refusals"):
         assert "failed" not in found[step], found[step]["failed"]
     return found
 
@@ -68,3 +68,14 @@ def test_labels_of_panels_are_in_chinese(window):
     assert {
         text for text in english if not re.fullmatch(r"[A-Z_]+|FreeCAD|BendTorsion.*", text)
     } == set()
+
+
+def test_what_is_missing_in_a_selection_is_told_in_chinese(window):
+    """Message and mend, behind the name of the kind of finding."""
+    assert len(window["refusals"]) == 12
+    for name, (line,) in window["refusals"].items():
+        told = line.removeprefix("error: selection: ").split(" -> ")
+        assert len(told) == 2, name
+        for text in told:
+            assert re.search(r"[\u4e00-\u9fff]", text), (name, text)
+            assert not re.search(r"[A-Za-z]{3,}", text), (name, text)

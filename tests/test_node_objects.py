@@ -17,6 +17,7 @@ from workbook_parts import workbook_parts
 from BendTorsionWB import make
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.document import build_document
+from BendTorsionWB.document_nodes import nodes_told
 from BendTorsionWB.document_rows import rows_of
 from BendTorsionWB.objects.proxy import findings_of
 from BendTorsionWB.project import build, read_project
@@ -105,9 +106,14 @@ def test_ranks_decide_and_swap_the_branch(document, hall):
     assert "node-unresolved" in hall["node"].Findings[0]
     assert hall["plates1"].Status != "ok" and hall["plates2"].Status != "ok"
     assert not hall["plates2"].Shape.Solids
+    # In tables of the document it is a meeting with the code of its error, at its place.
+    (told,) = nodes_told([hall["node"]], {}, {}, ())
+    assert (told.node, told.status, told.faces) == ("N1", "node-unresolved", ())
+    assert {told.through, told.other} == {"M1", "M2"} and told.gap == hall["node"].Gap.Value
     hall["M1"].Rank, hall["M2"].Rank = 3, 2
     document.recompute()
     assert hall["node"].Status == "ok", hall["node"].Status
+    assert nodes_told([hall["node"]], {}, {}, ()) is None
     assert len(hall["plates1"].Marks) == 8 and len(hall["plates2"].Marks) == 4
 
 

@@ -2,13 +2,15 @@
 """Nodes as a build tells them: every meeting a row, errors once, marks and orders as expected."""
 
 import json
+from dataclasses import replace
 
 import openpyxl
 import pytest
 from schedule_books import write
 
-from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.core.finding import BendTorsionError, warning
 from BendTorsionWB.document_export import source_records, write_figures
+from BendTorsionWB.exchange.schedule_jobs import at_rows
 from BendTorsionWB.model_files import Wanted
 from BendTorsionWB.project import build, read_project
 
@@ -87,6 +89,9 @@ def test_a_crossing_nobody_resolved_is_an_error_once_a_row_and_no_cut_files(tmp_
     ]
     assert [row["x"] for row in nodes] == pytest.approx([1000.0, 3000.0])
     assert [row["status"] for row in report["nodes"]] == ["node-unresolved"] * 2
+    page = (tmp_path / "out" / "report.html").read_text()
+    listed = page[page.index("<h2>Nodes</h2>") : page.index("<h2>Plates</h2>")]
+    assert listed.count("<td>node-unresolved</td>") == 2
     assert not list((tmp_path / "out").glob("plates/*"))
     assert [len(member["plates"]) for member in report["members"]] == [0, 0, 0]
 
@@ -166,3 +171,13 @@ def test_the_report_of_a_schedule_tells_the_same(tmp_path):
         (None, "node-unresolved"),
     ]
     assert {row["member"] for row in rows(book, "Plates")} == {"M2"}
+
+
+def test_rows_of_edges_are_named_for_plates_too(tmp_path):
+    """A warning of a diaphragm by its mark names the row of its member."""
+    edges = [["member", "seam", "prep"], ["P1", "TL", "square"], ["M2", "diaphragms", "fillet"]]
+    schedule, _, _ = read_project(grid(tmp_path / "s.xlsx", (1, 1, 2), Edges=edges))
+    told = warning("diaphragm-skew", "M2-D1", "too sharp", "bevel it", position="edge 1")
+    (found,) = at_rows(schedule, [told])
+    assert found.position == "sheet Edges, row 3" and found.object == "M2-D1"
+    assert at_rows(schedule, [replace(told, object="Q-D1")])[0].position == "edge 1"

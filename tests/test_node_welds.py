@@ -11,6 +11,7 @@ from test_sheet_node import BIG, LOW, PLANE, X, at, details, straight
 from BendTorsionWB.core import detailing
 from BendTorsionWB.core.axes.axis_input import AxisInput
 from BendTorsionWB.core.axes.frames import FrameInput
+from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.members.end_cut import EndCut
 from BendTorsionWB.core.members.segment import Segment
 from BendTorsionWB.core.nodes.node_input import NodeInput
@@ -113,6 +114,47 @@ def test_rows_of_edges_name_nodes():
         assert weld.prep.type == "double-bevel"
     named = crossing(90.0, edges=(EdgeTreatment("N1", place="shop"),))[1]
     assert {weld.place for weld in welds(named).values()} == {"shop"}
+
+
+@pytest.mark.parametrize("degrees", [60.0, 40.0])
+def test_seams_beside_a_node_tell_their_dihedral(degrees):
+    """A plate that reaches farther than its neighbour at the cut meets its face continued."""
+    record = crossing(degrees)[1]
+    for plate in record.plates:
+        for edge in plate.edges:
+            np.testing.assert_allclose(edge.dihedral, 0.5 * math.pi, atol=1e-6)
+    seams = welds(record, "seam")
+    assert len(seams) == 8
+    assert all(w.dihedral == pytest.approx(0.5 * math.pi) for w in seams.values())
+
+
+def test_a_gap_of_a_row_that_the_node_does_not_keep_is_told():
+    def told(gap):
+        rows = (EdgeTreatment("N1", prep=prep_of(f"bevel angle=50 land=1{gap}")),)
+        return [f for f in crossing(90.0, edges=rows)[1].findings if f.code == "node-root-gap"]
+
+    (found,) = told(" gap=2")
+    assert (found.object, found.position, found.value, found.limit) == ("Y", "edge 1", 2.0, 3.0)
+    assert found.severity == "warning" and "sheet Nodes" in found.mend
+    assert told("") == told(" gap=3") == []
+
+
+def test_all_walls_welded_from_inside_a_small_box_on_site_are_refused():
+    """276 by 336 mm clear: nobody gets in to weld; from outside, and in the shop, it can be."""
+    inner = prep_of("bevel angle=40 land=2 inner backing=30x6")
+    with pytest.raises(BendTorsionError) as caught:
+        crossing(90.0, edges=(EdgeTreatment("N1", prep=inner),))
+    (found,) = caught.value.findings
+    assert (found.code, found.object, found.position) == ("weld-access", "Y", "edge 1")
+    assert (found.value, found.limit) == (pytest.approx(276.0), 400.0)
+    assert "N1" in found.message and "276 x 336 mm clear" in found.message
+    with pytest.raises(BendTorsionError):
+        crossing(90.0, edges=(EdgeTreatment("N1", prep=prep_of("double-bevel angle=50 land=2")),))
+    shop = crossing(90.0, edges=(EdgeTreatment("N1", prep=inner, place="shop"),))[1]
+    assert [f.severity for f in shop.findings if f.code == "weld-access"] == ["warning"]
+    outer = prep_of("bevel angle=40 land=2 backing=30x6")
+    from_outside = crossing(90.0, edges=(EdgeTreatment("N1", prep=outer),))[1]
+    assert not [f for f in from_outside.findings if f.code == "weld-access"]
 
 
 def test_diaphragms_have_fillets_along_the_walls():

@@ -258,7 +258,9 @@ def test_part_marks_of_a_partial_build_are_those_of_the_whole_one(tmp_path):
     kept = json.loads((out / FILE).read_text())
     kept["M2"][1] = ["M1-T1", 2, "M1-L1"]
     (out / FILE).write_text(json.dumps(kept))
-    part = project.build(path, out, only=["M2"], workers=1, wanted=plain)
+    other = changed(tmp_path / "other.xlsx", APART, {("Members", 3, "cut"): "50%"})
+    part = project.build(other, out, only=["M2"], workers=1, wanted=plain)
+    assert [record.member for record in part.records] == ["M2"]
     first, *others = part.records[0].plates
     assert (first.part, first.quantity, first.opposite_hand) == ("M1-T1", 2, "M1-L1")
     assert all((p.part, p.quantity) == parts[p.mark] for p in others)

@@ -102,7 +102,7 @@ def test_context_menus_offer_what_suits(window):
     found = seen["found"]
     assert found["nothing"] == []
     assert {"Plates", "Splits", "Development", "CutPoint"} <= set(found["M1 plates"])
-    assert {"Member", "ShowFrames"} == set(found["M1-axis"])
+    assert {"Axis", "Member", "ShowFrames"} == set(found["M1-axis"])
     assert found["B"] == ["Section"] and found["N1"] == ["Node"]
     assert found["M1 bed"] == ["AssemblyBed"]
     assert "Surface" in found["face"] and "Plates" not in found["face"]

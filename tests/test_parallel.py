@@ -2,6 +2,7 @@
 """Members through executors: threads, forked and spawned processes, workers that die or fail."""
 
 import os
+import pickle
 import signal
 from concurrent.futures import Executor, ThreadPoolExecutor
 
@@ -13,6 +14,7 @@ from BendTorsionWB.console import Progress
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.parallel import Workers, attempts, workers_for
 from BendTorsionWB.exchange.dxf import plate_dxf
+from BendTorsionWB.exchange.result_cache import ResultCache, key_of
 
 
 def square(number):
@@ -52,6 +54,22 @@ def test_items_whose_workers_die_are_told_and_the_rest_complete():
     assert {name for name, outcome in found.items() if outcome.failure} == {"3", "7"}
     assert all("died" in found[name].failure for name in "37")
     assert sum(outcome.value for outcome in found.values() if not outcome.failure) == 285 - 58
+
+
+def test_values_come_as_their_workers_packed_them():
+    assert [o.packed for _, o in attempts(square, NUMBERS)] == [b""] * 10
+    with workers_for(2, 10) as executor:
+        found = dict(attempts(square, NUMBERS, executor))
+    assert all(pickle.loads(outcome.packed) == outcome.value for outcome in found.values())
+
+
+def test_what_a_worker_packed_is_found_in_the_cache(tmp_path):
+    given, jobs = _jobs(tmp_path)
+    cache, keys = ResultCache(tmp_path / "cache"), {name: key_of(job) for name, job in jobs.items()}
+    with workers_for(2, 2) as executor:
+        made, _ = project.detail_members(given, jobs, executor, cache=cache, keys=keys)
+    found = {name: cache.find(key) for name, key in keys.items()}
+    assert list(found) == ["M1", "M2"] and _figures(found) == _figures(made)
 
 
 def test_a_worker_that_fails_is_told_with_its_reason():

@@ -8,6 +8,7 @@ import pytest
 
 from BendTorsionWB import make
 from BendTorsionWB.core import detailing
+from BendTorsionWB.core.colour_scale import ColourScale
 from BendTorsionWB.objects import plate_set
 
 
@@ -97,3 +98,20 @@ def test_several_plate_sets_share_a_scale(plates):
     assert plates.Colours[plates.Marks.index("M1-T1")] == light != dark
     make.colour_by([plates], "none")
     assert plates.Colours == plates.Legend == plates.ColourRange == []
+
+
+@pytest.mark.parametrize("wrong", [[3.0], [16.0, 12.0], [float("nan"), 16.0], [12.0, 14.0, 16.0]])
+def test_a_scale_that_is_none_is_refused_until_it_is_one(plates, wrong):
+    before = list(plates.Marks)
+    plates.ColourBy, plates.ColourRange = "thickness", wrong
+    plates.Document.recompute()
+    assert "ColourRange" in plates.Status and not plates.Colours and not plates.Shape.SubShapes
+    plates.ColourRange = [10.0, 20.0]
+    plates.Document.recompute()
+    assert plates.Status == "ok" and list(plates.Marks) == before
+    # 12 mm lies at a fifth of the scale, 16 at three: as the whole scale tells them.
+    whole = ColourScale(10.0, 20.0).colours(np.array([12.0, 16.0]))
+    painted = {tuple(round(part, 3) for part in colour[:3]) for colour in plates.Colours}
+    assert painted == {tuple(round(part, 3) for part in colour) for colour in whole.tolist()}
+    plates.ColourBy, plates.ColourRange = "none", []
+    plates.Document.recompute()

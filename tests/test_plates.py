@@ -170,6 +170,8 @@ def test_a_joint_beside_a_fold_or_another_joint_is_refused(taper, plain):
     assert finding.value == pytest.approx(4.0) and "face top" in finding.position
     found, [finding] = codes(split_plates, plain, {"top": Joints((5000.0, 5003.0), "mm")})
     assert found == {"plate-too-short"} and "sliver" in finding.message
+    # At the limit, but for the last digits of the sum.
+    assert split_plates(taper, {"top": Joints((fold - 10.0 + 5e-7,), "mm")})[0]
     on_fold, _ = split_plates(taper, {"top": Joints((fold,), "mm")})
     assert fold in ends(on_fold, "top")
 

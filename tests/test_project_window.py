@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pytest
 from freecad_window import run_in_window
-from PySide2.QtGui import QImage
 from test_build import APART, schedule
 
 from BendTorsionWB import project
 from BendTorsionWB.model_files import Wanted
+from BendTorsionWB.sheets.qt import qt_modules
 
 SESSION = Path(__file__).parent / "window" / "project_session.py"
 
@@ -25,7 +25,7 @@ def test_a_split_model_is_seen_whole_when_it_is_opened(tmp_path):
     assert "failed" not in seen, seen
     assert seen["members"] == len(result.records) == 2
     assert seen["documents"] == 3
-    image = QImage(str(picture))
+    image = qt_modules()[1].QImage(str(picture))
     drawn = [
         (x, y)
         for x in range(0, image.width(), 2)

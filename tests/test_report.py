@@ -118,7 +118,7 @@ def test_an_error_that_names_a_plate_fails_its_member_only():
     lines = summary_lines(records, [error("x", "M2-T1", "bad")])
     verdicts = {line.split()[0]: line.split()[-1] for line in lines if line[0] == "M"}
     assert verdicts == {"M1": "ok", "M2": "FAIL", "M3": "FAIL"}
-    assert "1 errors" in lines[-1]
+    assert "1 error," in lines[-1]
     assert all(len(line) <= 140 for line in lines)
 
 

@@ -178,8 +178,11 @@ def test_the_status_may_stand_in_the_schedule(issued):
     assert [f.object for f in result.findings if f.severity == "error"][0] == "M2-L1"
 
 
-def test_a_partial_build_says_nothing_of_other_members(issued):
+def test_a_partial_build_says_nothing_of_members_it_leaves_out(issued):
     path, out = issued
+    build(path, out, only=["M2"])
+    assert {mark.split("-")[0] for mark in told(out)} == {"M1", "M2"}
+    edit(path, {("Members", 3, "cut"): "50%"})
     build(path, out, only=["M2"])
     assert {mark.split("-")[0] for mark in told(out)} == {"M2"}
     project.build(path, out, workers=1, wanted=PLAIN)

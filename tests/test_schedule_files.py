@@ -10,6 +10,9 @@ import openpyxl
 import pytest
 from schedule_books import GOOD, one, write
 
+from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.exchange.csv_folder import write_folder
+from BendTorsionWB.exchange.outside_files import file_of, outside_allowed
 from BendTorsionWB.exchange.schedule import read_schedule
 
 
@@ -99,3 +102,53 @@ def test_a_sheet_that_reaches_to_the_end_of_the_world(tmp_path):
     book["Points"]["XFD1048576"] = " "
     book.save(path)
     assert one(read_schedule, path).code == "sheet-too-large"
+
+
+def test_a_link_that_leads_to_itself_is_told_as_such(tmp_path):
+    """Not by the words of the system, and not as a file outside."""
+    sheets = tmp_path / "sheets"
+    write_folder(sheets, rows_of_book(write(tmp_path / "good.xlsx", GOOD)))
+    (sheets / "Members.csv").unlink()
+    (sheets / "Members.csv").symlink_to("Members.csv")
+    finding = one(read_schedule, sheets)
+    assert (finding.code, finding.object) == ("file-unreadable", "Members.csv")
+    assert "leads back to itself" in finding.message and "Errno" not in finding.line()
+    (tmp_path / "a.dxf").symlink_to("b.dxf")
+    (tmp_path / "b.dxf").symlink_to("a.dxf")
+    for allowed in (False, True):
+        with outside_allowed(allowed), pytest.raises(BendTorsionError) as problem:
+            file_of(tmp_path, "a.dxf", "A1")
+        [finding] = problem.value.findings
+        assert (finding.code, finding.object) == ("file-unreadable", "A1")
+        assert "a.dxf" in finding.message and "outside" not in finding.line()
+
+
+@pytest.mark.parametrize(
+    "sheets, kind",
+    [
+        (["Summary", "Plates", "Nodes", "Checks"], "a results file"),
+        (["Transmittal"], "the transmittal of a revision"),
+        (["Changes"], "a list of changes"),
+    ],
+)
+def test_a_workbook_of_results_is_no_schedule_and_one_line(tmp_path, sheets, kind):
+    book = openpyxl.Workbook()
+    book.remove(book.active)
+    for name in sheets:
+        book.create_sheet(name).append(["member", "plate"])
+    book.save(tmp_path / "results.xlsx")
+    finding = one(read_schedule, tmp_path / "results.xlsx")
+    assert finding.code == "schedule-is-results" and kind in finding.message
+    # With the sheet every schedule has, it is one with sheets that do not belong there.
+    book.create_sheet("Members").append(["member"])
+    book.save(tmp_path / "results.xlsx")
+    with pytest.raises(BendTorsionError) as problem:
+        read_schedule(tmp_path / "results.xlsx")
+    assert "sheet-unknown" in [f.code for f in problem.value.findings]
+
+
+def rows_of_book(path):
+    return {
+        sheet.title: [list(row) for row in sheet.values]
+        for sheet in openpyxl.load_workbook(path).worksheets
+    }

@@ -11,10 +11,13 @@ import openpyxl
 import pytest
 from openpyxl.styles import Font
 from schedule_books import GOOD, one, write
+from test_round_trip import book
 
 from BendTorsionWB.exchange.csv_folder import write_folder
 from BendTorsionWB.exchange.schedule import read_schedule
 from BendTorsionWB.exchange.schedule_cells import BadCell, Number
+from BendTorsionWB.exchange.schedule_columns import SHEETS
+from BendTorsionWB.exchange.schedule_headings import COLUMN_ALIASES, SHEET_ALIASES, heading_name
 
 CHINESE_SHEETS = {
     "Settings": "设置",
@@ -110,6 +113,28 @@ def test_chinese_sheets_and_headings(tmp_path, good):
     assert all(len(CHINESE_COLUMNS[t]) == len(rows[0]) for t, rows in GOOD.items())
     path = write(tmp_path / "chinese.xlsx", sheets)
     assert same(read_schedule(path), good)
+
+
+def test_every_sheet_and_column_has_a_heading_in_chinese(tmp_path):
+    """Coordinates and numbers of directions apart, which are the same letters in both."""
+    letters = {"x", "y", "z", "dx", "dy", "dz"}
+    sheets = {}
+    for title, columns in SHEETS.items():
+        assert title in SHEET_ALIASES.values(), title
+        for name in {column.name for column in columns} - letters:
+            found = [a for a, names in COLUMN_ALIASES.items() if name in names]
+            found = [a for a in found if heading_name(a, [c.name for c in columns]) == name]
+            assert found, (title, name)
+    # One schedule in both languages, with a row on most sheets.
+    given = book(0)
+    for title, (heading, *rows) in given.items():
+        columns = [column.name for column in SHEETS[title]]
+        by_name = {heading_name(alias, columns): alias for alias in COLUMN_ALIASES}
+        used = [by_name.get(name, name) for name in heading]
+        [chinese, *_] = [a for a, name in SHEET_ALIASES.items() if name == title]
+        sheets[chinese] = [used, *rows]
+    one_of = read_schedule(write(tmp_path / "english.xlsx", given))
+    assert same(read_schedule(write(tmp_path / "chinese.xlsx", sheets)), one_of)
 
 
 @pytest.mark.parametrize(

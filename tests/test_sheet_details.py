@@ -16,13 +16,14 @@ from test_sheet_style import RECORD, words_of
 from BendTorsionWB.core.drawings import sheet_pattern, sheet_plate
 from BendTorsionWB.core.drawings.sheet import text_width, wrapped
 from BendTorsionWB.core.drawings.sheet_detail import detail_blocks
-from BendTorsionWB.core.drawings.sheet_findings import FINDINGS_CHINESE, finding_text
+from BendTorsionWB.core.drawings.sheet_findings import FINDINGS_CHINESE, finding_text, in_chinese
 from BendTorsionWB.core.drawings.sheet_layout import member_sheets, piece_record
 from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.drawings.sheet_terms import CHINESE
 from BendTorsionWB.core.drawings.sheet_weld import kind_letters, weld_kind
 from BendTorsionWB.core.drawings.sheet_weld_map import LABEL_SPACING, weld_map_blocks
 from BendTorsionWB.core.finding import warning
+from BendTorsionWB.core.joints import joint_checks
 from BendTorsionWB.core.welds.bevel_record import EdgeBevel
 from BendTorsionWB.core.welds.preps import prep_of
 
@@ -128,6 +129,79 @@ def test_every_warning_of_a_member_has_its_chinese_sentence():
     codes = set(warning_codes())
     assert len(codes) > 20
     assert codes - set(FINDINGS_CHINESE) == set()
+
+
+# Of files, the schedule and the project: these are no finding of a member that is drawn.
+NOT_ON_SHEETS = {
+    *("axis-file-blocks", "bound-by-hand", "file-outdated", "file-read", "file-unit-doubtful"),
+    *("document-set-aside", "file-removed"),
+    *("file-unit-unknown", "member-outdated", "members-not-built", "nc1-text", "not-in-schedule"),
+    *("part-marks-partial", "row-removed"),
+}
+
+
+def test_every_warning_and_note_of_the_list_of_findings_has_its_chinese_sentence():
+    rows = (ROOT / "docs" / "findings.md").read_text(encoding="utf-8")
+    told = set(re.findall(r"^\| `([^`]+)` \| (?:error/)?(?:warning|note)\b", rows, re.M))
+    codes = {code for code in told if "*" not in code}
+    assert told - codes == {"joint-beside-*…*"}
+    codes |= {f"joint-beside-{kind.replace('_', '-')}" for kind in joint_checks._BESIDE}
+    assert len(codes) > 50 and NOT_ON_SHEETS <= codes
+    assert codes - NOT_ON_SHEETS - set(FINDINGS_CHINESE) == set()
+    assert not any(
+        re.search("[a-z]{3,}", text.replace("elastic", "")) for text in FINDINGS_CHINESE.values()
+    )
+
+
+def told_places():
+    """The places that warnings and notes name, a figure for each value in them."""
+    for path in sorted((ROOT / "BendTorsionWB" / "core").rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            texts = []
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") in ("warning", "note"):
+                texts = [word.value for word in node.keywords if word.arg == "position"]
+            if isinstance(node, ast.FunctionDef) and node.name in ("_place", "place"):
+                texts = [one.value for one in ast.walk(node) if isinstance(one, ast.Return)]
+            for text in texts:
+                parts = text.values if isinstance(text, ast.JoinedStr) else []
+                if parts:
+                    yield "".join(
+                        part.value if isinstance(part, ast.Constant) else "3" for part in parts
+                    )
+
+
+def test_places_of_warnings_in_chinese_hold_no_english_word():
+    places = {
+        *("s = 2573 mm of M1", "NS, bottom and top of S1, s = 2573 mm", "face top, s = 5 mm"),
+        *("end E-2, 0 to 376 mm along it", "first TL, 10 to 90 mm on the axis"),
+        *("at x, y, z = 1, 2, 3 mm", "s = 5 to 90 mm"),
+    }
+    named = set(told_places())
+    assert len(named) > 12
+    told = {one: in_chinese(one) for one in named | places}
+    left = {one: re.findall("[a-z]{2,}", text.replace("mm", "")) for one, text in told.items()}
+    assert {one: words for one, words in left.items() if words} == {}
+    assert told["NS, bottom and top of S1, s = 2573 mm"] == "NS, S1 的 下 与 上, s = 2573 mm"
+    assert told["end E-2, 0 to 376 mm along it"] == "终端 E-2, 沿边 0 至 376 mm"
+
+
+def test_the_joint_too_close_to_a_node_tells_its_face_in_chinese():
+    found = warning(
+        *("joint-beside-node", "M1", "a joint of face top is too close to a node"),
+        *("move the joint farther from the node",),
+        **{"position": "s = 3200 mm", "value": 470.532, "limit": 600.0, "unit": "mm"},
+    )
+    text = finding_text(found, SheetStyle(language="zh"))
+    assert text == "M1，s = 3200 mm，面 上：拼接离节点过近，请移远（实际 470.532 mm，限值 600 mm）"
+    beyond = warning("bevel-beyond-head", "X1-L1", "", value=74.0, limit=52.0, unit="deg")
+    assert finding_text(beyond, SheetStyle(language="zh")).endswith("（实际 74 °，限值 52 °）")
+
+
+def test_the_shape_of_an_opening_is_told_in_chinese():
+    chinese = SheetStyle(language="zh")
+    assert chinese.shape("manhole D210") == "人孔 D210"
+    assert chinese.shape("slot 120x40") == "长圆孔 120x40"
+    assert STYLE.shape("manhole D210") == "manhole D210"
 
 
 def test_a_warning_in_chinese_keeps_its_object_place_and_figures():

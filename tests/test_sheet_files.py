@@ -11,11 +11,12 @@ from pathlib import Path
 import pytest
 from test_sheet import strip_member
 
-from BendTorsionWB.core.drawings.sheet import Polyline, Sheet, Text
+from BendTorsionWB.core.drawings.sheet import WIDTH_MARGIN, Polyline, Sheet, Text, text_width
 from BendTorsionWB.core.drawings.sheet_layout import member_sheets
 from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.sheets.pdf import write_pdf
 from BendTorsionWB.sheets.svg import sized_anew, svg_document, svg_text, write_svg
+from BendTorsionWB.sheets.techdraw import symbol_svg
 
 RECORD = strip_member(lengths=(2500.0, 3000.0))
 
@@ -133,3 +134,23 @@ def test_svg_holds_every_text_and_line_in_millimetres(tmp_path):
     for (x, y), (u, v) in zip(first, drawn[0].points, strict=True):
         assert (x, 297.0 - y) == pytest.approx((u, v), abs=1e-4)
     assert svg_text(sheet) == (tmp_path / "M1-2.svg").read_text(encoding="utf-8")
+
+
+def test_long_lines_on_a_page_of_the_document_stand_in_parts_each_in_its_place():
+    """A reader whose letters drift starts anew with each part; together they are the line."""
+    words = "Views show plates by the edges of their outer faces; broken: diaphragms; wide: cuts"
+    long, short = Text(20.0, 40.0, 2.0, words), Text(20.0, 50.0, 2.0, "short")
+    turned = Text(20.0, 60.0, 2.0, words, 90.0)
+    frame = (20.0, 10.0, 410.0, 287.0)
+    sheet = Sheet("page", 1, 1, 420.0, 297.0, frame, texts=(long, short, turned))
+    root = ElementTree.fromstring(symbol_svg(sheet, alone=True))
+    found = list(root.iter("{http://www.w3.org/2000/svg}text"))
+    assert [text.text for text in found[-2:]] == ["short", words]
+    parts = found[:-2]
+    assert len(parts) > 1
+    assert " ".join(part.text for part in parts) == words
+    for k, part in enumerate(parts):
+        before = "".join(f"{one.text} " for one in parts[:k])
+        width = text_width(before, 2.0) / WIDTH_MARGIN
+        # Letters of a symbol are in hundredths of a mm.
+        assert float(part.get("x")) / 100.0 == pytest.approx(20.0 + width, abs=1e-3)

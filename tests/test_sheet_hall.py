@@ -48,6 +48,21 @@ def test_sheets_of_the_hall_can_be_read_in_every_style(records, number):
     assert [fault for sheet in sheets for fault in faults(sheet)] == []
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("unit", ["mm", "ft-in"])
+def test_chamfered_edges_and_crowded_plates_stay_on_the_smallest_page(records, unit):
+    """Lists of edges with chamfers are wider than A4; plates named in details have longer words."""
+    sheets = member_sheets(records[3], SheetStyle("Hall", "", "A4", "AWS", "en", unit))
+    assert [fault for sheet in sheets for fault in faults(sheet)] == []
+
+
+def test_tables_that_leave_no_room_for_views_follow_them(records):
+    style = SheetStyle("Hall", "", "ARCH B", "AWS", "en", "ft-in")
+    sheets = member_sheets(records[3], style, with_plates=False)
+    assert [fault for sheet in sheets for fault in faults(sheet)] == []
+    assert dict(sheets[0].fields)["scale"] == "1:75"
+
+
 @pytest.fixture(scope="module")
 def meeting():
     schedule, jobs = project.read_jobs(HALL.with_name("concert_hall_nodes.xlsx"))

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The drawings of nodes in a document: pages that show the same as the files, and follow edits."""
 
+import re
+
 import FreeCAD
 import Part  # noqa: F401
 import pytest
@@ -8,6 +10,7 @@ from carried_document import make_document
 
 from BendTorsionWB import make
 from BendTorsionWB.core.drawings.sheet_node import node_sheets
+from BendTorsionWB.core.welds.landed_marks import with_landed_marks
 from BendTorsionWB.objects.sheet_content import record_of, style_of
 from BendTorsionWB.sheets.pdf import start_qt
 from BendTorsionWB.sheets.techdraw import symbol_svg
@@ -44,13 +47,20 @@ def test_the_pages_of_nodes_show_what_the_files_show_and_follow_edits(document, 
             (node,) = of_kind(document, "Node")
             node.Gap = 5.0
             document.recompute()
-        wanted = node_sheets([record_of(one) for one in drawn.Sheets], style_of(drawn.Sheets[0]))
+        records = with_landed_marks([record_of(one) for one in drawn.Sheets])
+        wanted = node_sheets(records, style_of(drawn.Sheets[0]))
         pages = node_pages(document)
         assert drawn.PageCount == len(pages) == len(wanted) > 0
         for (page, symbol), sheet in zip(pages, wanted, strict=True):
             assert symbol.Symbol == symbol_svg(sheet, alone=True)
             assert page.Views == [symbol] and page.Template.Width.Value == sheet.width
         assert ("root gap 5.0" in pages[0][1].Symbol) == edited
+        # Welds tell the plate landed on by its mark, also of one that has another now.
+        through = next(r for r in records if not r.nodes)
+        landed = {w.plates[1] for r in records for w in r.welds if w.kind == "node"}
+        assert landed <= {plate.mark for plate in through.plates}
+        table = [c for s in wanted for t in s.tables for row in t.rows for c in row]
+        assert not [c for c in table if c.startswith(f"{through.member} ")]
     path = tmp_path / "nodes.FCStd"
     document.saveCopy(str(path))
     again = FreeCAD.openDocument(str(path), hidden=True)
@@ -73,7 +83,9 @@ def test_without_a_node_that_can_be_drawn_one_page_says_so_and_surplus_pages_go(
     document.removeObject(node.Name)
     document.recompute()
     ((_, symbol),) = node_pages(document)
-    assert drawn.PageCount == 1 and "no node can be drawn" in symbol.Symbol
+    # Long lines stand in parts.
+    told = " ".join(re.findall(">([^<]+)</text>", symbol.Symbol))
+    assert drawn.PageCount == 1 and "no node can be drawn" in told
     document.recompute()
     names = {obj.Name for obj in document.Objects}
     assert not [name for name in names if name.startswith(f"{drawn.Name}_Page02")]

@@ -188,6 +188,17 @@ def test_edits_add_and_remove_pages_by_plain_recompute(document):
     assert shown(document) == before
 
 
+def test_a_recompute_asks_for_the_record_once_however_many_pages(document, monkeypatch):
+    module, asked = sys.modules["BendTorsionWB.objects.unfold"], []
+    given = module.member_record_of
+    monkeypatch.setattr(module, "member_record_of", lambda obj: asked.append(obj) or given(obj))
+    for choice in (9, 2):
+        document.Source.Choice = choice
+        document.recompute()
+        check(document, choice)
+    assert len(pages(document)) > 1 and len(asked) == 2
+
+
 def test_undo_and_redo_bring_pages_back(document):
     before = shown(document)
     for choice in (9, -1):

@@ -3,6 +3,7 @@
 
 import ast
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -48,6 +49,47 @@ def test_openings_are_told_in_the_unit_of_the_sheet(title, wanted):
     record = with_hole(title)
     assert wanted in words(member_sheets(record, SheetStyle(unit="ft-in", format="A1")))
     assert f"O-1 {title} at 254.0, 127.0" in words(member_sheets(record, SheetStyle(format="A1")))
+
+
+@pytest.mark.parametrize(
+    ("thickness", "cell", "plate"),
+    [
+        (16.0, "0.630 (16)", '0.630" (16 mm)'),
+        (15.875, "5/8", '5/8"'),
+        (15.88, "5/8", '5/8"'),
+        (25.4, "1", '1"'),
+        (25.0, "0.984 (25)", '0.984" (25 mm)'),
+        (323.85, "12 3/4", '12 3/4"'),
+        (0.5, "0.020 (0.5)", '0.020" (0.5 mm)'),
+    ],
+)
+def test_thicknesses_in_inches_keep_the_millimetres_of_metric_plates(thickness, cell, plate):
+    style = SheetStyle(unit="ft-in")
+    assert (style.thickness(thickness), style.plate(thickness)) == (cell, plate)
+    assert SheetStyle().plate(thickness) == f"{thickness:g} mm"
+    inches = sum(float(Fraction(word)) for word in cell.partition(" (")[0].split())
+    assert abs(25.4 * inches - thickness) <= 0.0127  # half a thousandth of an inch
+
+
+@pytest.mark.parametrize("thickness", [*range(1, 127), 4.5, 12.5])
+def test_no_usual_metric_plate_is_taken_for_one_in_inches(thickness):
+    assert SheetStyle(unit="ft-in").thickness(thickness).endswith(f" ({thickness:g})")
+
+
+def test_sheets_in_inches_tell_thicknesses_in_inches_everywhere():
+    record = RECORD
+    sheets = member_sheets(record, SheetStyle("Hall", "", "ARCH D", "AWS", "en", "ft-in"))
+    said = words(sheets)
+    assert sum(text.startswith('PL 0.787" (20 mm)') for text in said) == len(record.plates)
+    assert sum("t0.787 (20)" in text for text in said) == 4 * len(record.controls)
+    listings = [t for s in sheets for t in s.tables if "t, in (mm)" in t.header]
+    assert len(listings) >= 2  # plates and welds
+    cells = {r[t.header.index("t, in (mm)")] for t in listings for r in t.rows}
+    assert cells - {""} == {"0.787 (20)"}
+    assert not any(table.header.count("t") for sheet in sheets for table in sheet.tables)
+    fields = [dict(sheet.fields) for sheet in sheets]
+    assert all(own["sections, mm"] == record.sections for own in fields)
+    assert all("t: in (mm)" in own["units"] for own in fields)
 
 
 def test_small_sizes_in_inches_are_as_fine_as_in_millimetres():
@@ -223,3 +265,57 @@ def test_axes_and_north_are_named_clear_of_members_and_arrows(turn):
         sheets = arrangement_sheets([record], style)
         assert sum((faults(sheet) for sheet in sheets), []) == []
         assert words(sheets).count("x") == 3  # of both views and of the site datum
+
+
+def welded(count):
+    """The member with so many welds."""
+    seam = RECORD.welds[0]
+    welds = tuple(replace(seam, mark=f"M1-TL-T{k}/L{k}") for k in range(count))
+    return replace(RECORD, welds=welds)
+
+
+def weld_tables(sheets):
+    """The tables of the list of welds, by sheet."""
+    own = [[t for t in sheet.tables if "cut / on" in t.header] for sheet in sheets]
+    return [tables for tables in own if tables]
+
+
+@pytest.mark.parametrize("form", ["A4", "A3", "A1"])
+@pytest.mark.parametrize("count", [8, 9, 16])
+def test_a_list_of_welds_that_its_page_holds_is_one_table(count, form):
+    ((table,),) = weld_tables(member_sheets(welded(count), SheetStyle(format=form)))
+    assert len(table.rows) == count + 1 and table.rows[-1][0] == "total"
+
+
+@pytest.mark.parametrize("form", ["A4", "A3", "A1", "ARCH D"])
+def test_the_total_of_a_list_of_welds_never_stands_alone(form):
+    for count in (*range(30, 60), 100, 250):
+        pages = weld_tables(member_sheets(welded(count), SheetStyle(format=form), False))
+        rows = [len(table.rows) for tables in pages for table in tables]
+        assert sum(rows) == count + 1
+        assert pages[-1][-1].rows[-1][0] == "total" and rows[-1] >= min(8, rows[0] - 8)
+
+
+@pytest.mark.parametrize(("language", "word"), [("en", "piece"), ("zh", "单元")])
+@pytest.mark.parametrize("form", ["A4", "A3"])
+def test_the_figures_of_a_piece_are_told_as_the_pieces(delivered, form, language, word):
+    style = SheetStyle(format=form, language=language)
+    heads = [
+        (table.header[:2], table.rows[1][1])
+        for sheet in member_sheets(delivered.record, style, with_plates=False)
+        for table in sheet.tables
+        if table.header[2:] == style.said(("figure", "value"))
+    ]
+    record = delivered.record
+    wanted = [((style.say("member"), record.member), f"{record.mass:.1f} kg")] + [
+        ((word, f"{record.member}-P{own.piece.number}"), f"{own.mass:.1f} kg")
+        for own in record.pieces
+    ]
+    assert heads == wanted
+
+
+def test_the_list_of_welds_stands_beside_the_sections_where_that_saves_a_page():
+    sheets = [sheet for sheet in member_sheets(RECORD) if "sections and welds" in sheet.title]
+    first, second = sheets
+    assert first.views and any("cut / on" in table.header for table in first.tables)
+    assert "Weld map" in {text.text for text in second.texts}

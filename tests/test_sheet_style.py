@@ -15,7 +15,7 @@ from BendTorsionWB.core.beds.control_record import ControlSection, CutPlate
 from BendTorsionWB.core.drawings.sheet import outside_frame, overlapping_texts
 from BendTorsionWB.core.drawings.sheet_arrangement import arrangement_sheets
 from BendTorsionWB.core.drawings.sheet_layout import member_sheets, piece_record
-from BendTorsionWB.core.drawings.sheet_style import FORMATS, SheetStyle, feet_inches
+from BendTorsionWB.core.drawings.sheet_style import FORMATS, INCH_HEADINGS, SheetStyle, feet_inches
 from BendTorsionWB.core.drawings.sheet_symbols import projection_symbol
 from BendTorsionWB.core.drawings.sheet_terms import CHINESE
 from BendTorsionWB.core.drawings.sheet_weld_symbol import GROOVE, weld_arrow, weld_symbol
@@ -320,12 +320,13 @@ def test_every_label_has_its_chinese_term():
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Call):
                 name = getattr(node.func, "attr", getattr(node.func, "id", ""))
-                if name in ("say", "said") and node.args:
+                if name in ("say", "said", "headings") and node.args:
                     said |= {
                         part.value
                         for part in ast.walk(node.args[0])
                         if isinstance(part, ast.Constant) and isinstance(part.value, str)
                     }
+    said |= set(INCH_HEADINGS.values())
     assert len(said) > 80
     assert said - set(CHINESE) == set()
     for english, chinese in CHINESE.items():

@@ -2,7 +2,9 @@
 """Document templates: they open cleanly, follow their spreadsheet, and can be exported."""
 
 import sys
+import zipfile
 from pathlib import Path
+from xml.etree import ElementTree
 
 import FreeCAD
 import pytest
@@ -11,6 +13,7 @@ from BendTorsionWB.__main__ import main
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.document_templates import FOLDER, TITLES, new_document
 from BendTorsionWB.model_files import checked_recompute
+from BendTorsionWB.objects.schema import SCHEMA_VERSION
 
 sys.path.insert(0, str(FOLDER))
 
@@ -48,7 +51,12 @@ def test_a_template_opens_cleanly_and_follows_its_spreadsheet(opened, name):
     members = kinds(document, "Member")
     assert len(members) == (1 if name == "member" else 3)
     assert bool(kinds(document, "SheetSet")) == (name == "project")
-    assert all(obj.Proxy.TYPE == obj.BT_Type for obj in document.Objects if hasattr(obj, "BT_Type"))
+    assert bool(kinds(document, "ArrangementSet")) == (name == "project")
+    for obj in document.Objects:
+        if hasattr(obj, "BT_Type"):
+            assert (obj.Proxy.TYPE, obj.SchemaVersion) == (obj.BT_Type, SCHEMA_VERSION)
+    pages = [obj for obj in document.Objects if obj.isDerivedFrom("TechDraw::DrawPage")]
+    assert bool(pages) == (name == "project")
     for obj in document.Objects:
         if getattr(obj, "BT_Type", "") in ("Axis", "Member", "PlateSet", "Unfold"):
             obj.touch()
@@ -56,8 +64,9 @@ def test_a_template_opens_cleanly_and_follows_its_spreadsheet(opened, name):
     before = sum(plates.Mass for plates in kinds(document, "PlateSet"))
     sheet = document.getObject("Sizes")
     assert all(sheet.get(alias).getValueAs("mm") is not None for alias, *_ in make_templates.SIZES)
-    sheet.set("plate", "=20 mm")
-    sheet.set("radius", "=32000 mm")
+    given = {"plate": 20, "radius": 32000, "height": 640, "breadth": 540, "end_height": 480}
+    for alias, value in (given | {"spacing": 3500, "camber": 50}).items():
+        sheet.set(alias, f"={value} mm")
     assert checked_recompute(document) == ()
     after = sum(plates.Mass for plates in kinds(document, "PlateSet"))
     assert after > 1.2 * before > 0
@@ -66,6 +75,12 @@ def test_a_template_opens_cleanly_and_follows_its_spreadsheet(opened, name):
     for member in members:
         middle = member.Axis.Shape.BoundBox.Center
         assert middle.Length < 32000.0 < middle.Length + 2500.0
+        assert member.OffsetZ.Value == 50.0
+    places = [member.Axis.RuleOrigin.x for member in members]
+    assert places == ([0.0] if name == "member" else [-3500.0, 0.0, 3500.0])
+    for own in kinds(document, "SectionSpec"):
+        assert (own.Thickness.Value, own.Breadth.Value) == (20.0, 540.0)
+        assert own.Height.Value == (480.0 if own.Label == "Tip" else 640.0)
 
 
 @pytest.mark.slow
@@ -77,6 +92,18 @@ def test_the_script_makes_a_template_that_is_free_of_errors(tmp_path, monkeypatc
         make_templates.write(tmp_path / folder)
     first, second = (tmp_path / folder / "member.FCStd" for folder in ("one", "two"))
     assert first.read_bytes() == second.read_bytes()
+    # The one in the repository was made with the properties objects have today.
+    assert saved_properties(FOLDER / "member.FCStd") == saved_properties(first)
+
+
+def saved_properties(path):
+    """Names of the properties a file holds, by object."""
+    with zipfile.ZipFile(path) as archive:
+        root = ElementTree.fromstring(archive.read("Document.xml"))
+    return {
+        item.get("name"): sorted(own.get("name") for own in item.iter("Property"))
+        for item in root.find("ObjectData")
+    }
 
 
 def test_new_on_the_command_line(tmp_path, capsys):

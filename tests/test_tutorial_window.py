@@ -14,8 +14,8 @@ from freecad_window import DARK, LIGHT, ROOT, run_in_window
 SCRIPT = ROOT / "tests" / "window" / "tutorial_session.py"
 GUIDE = ROOT / "docs" / "guide.md"
 PICTURES = ROOT / "build" / "pictures" / "tutorial"
-STEPS = ("open_step_file", "members_from_selection", "edit_section", "joints", "marks")
-STEPS += ("development", "sheets", "check", "export")
+STEPS = ("open_step_file", "members_from_selection", "edit_section", "member_table")
+STEPS += ("joints", "marks", "development", "sheets", "check", "export")
 
 pytestmark = pytest.mark.slow
 
@@ -91,6 +91,18 @@ def test_the_members_follow_an_edit_of_their_section(tutorial):
         area_after = 600 * 500 - 572 * 472
         assert after / before == pytest.approx(area_after / area_before, rel=2e-3)
     assert found["seconds"] < 1.5
+
+
+def test_the_table_gives_all_members_another_alignment(tutorial):
+    """The cell typed and the ones filled down from it are an undo step each."""
+    found = tutorial["member_table"]
+    assert found["aligned"] == ["top"] * 3 and found["statuses"] == ["ok"] * 3
+    assert found["undo"] == 2
+
+
+def test_the_place_of_a_joint_is_seen_from_its_first_figure_on(tutorial):
+    """In the dark window it stood scrolled, 9350 mm as 350."""
+    assert tutorial["joints"]["first_figure_seen"] == 0
 
 
 def test_joints_are_found_by_the_rules(tutorial):

@@ -7,7 +7,9 @@ import json
 import FreeCAD
 import openpyxl
 import pytest
+from schedule_books import write
 from test_build import APART, schedule, short
+from test_round_trip import book
 
 from BendTorsionWB import project
 from BendTorsionWB.__main__ import main
@@ -27,7 +29,7 @@ def edit(path, cells=(), drop=()):
         headings = [cell.value for cell in book[sheet][1]]
         book[sheet].cell(row, headings.index(column) + 1, value)
     for name in drop:
-        for sheet in ("Members", "Splits"):
+        for sheet in {"Members", "Splits"}.intersection(book.sheetnames):
             for row in range(book[sheet].max_row, 1, -1):
                 if book[sheet].cell(row, 1).value == name:
                     book[sheet].delete_rows(row)
@@ -115,18 +117,53 @@ def test_new_rows_are_added_and_gone_rows_named_before_they_go(made, path, tmp_p
     assert {("Member", "M4"), ("PlateSet", "M4 plates"), ("Axis", "A4")} <= added
     assert all("4" in name for _, name in added)
     assert [name for name in labels(made) if name in before] == before, "nothing went"
-    gone = {f.object for f in update.findings}
-    assert {"M2", "M2 plates", "A2"} <= gone and all("2" in name for name in gone)
+    told = {f.object: f.message for f in update.findings}
+    assert len(told) == len(update.findings) and set(told) == {"M2", "A2"}, "one line a member"
+    assert "M2 plates" in told["M2"] and "M2 patterns" in told["M2"]
     assert all(f.code == "row-removed" and "--remove" in f.mend for f in update.findings)
     update = brought(made, four, removing=True)
     assert not [name for name in labels(made) if "M2" in name or name == "A2"]
-    assert {c.name for c in update.changes if c.what == "removed"} == gone
+    gone = {c.name for c in update.changes if c.what == "removed"}
+    assert {"M2", "M2 plates", "M2 patterns", "A2"} <= gone and all("2" in name for name in gone)
     made.recompute()
     assert all(obj.Status == "ok" for obj in made.Objects if hasattr(obj, "Status"))
     given, jobs = project.read_jobs(four)
     anew = build_document(given, jobs, sheets=False)
     assert document_changes(made, anew) == ()
     FreeCAD.closeDocument(anew.Name)
+
+
+def test_a_node_goes_with_its_meeting_and_not_with_a_member(tmp_path):
+    """Equal ranks leave no node: the object is not there to tell an error of its own beside that of
+    the meeting. A member whose row is gone keeps its cut while it is there."""
+    from test_node_objects import schedule as crossing
+
+    given, jobs = project.read_jobs(crossing(tmp_path / "s.xlsx"))
+    document = build_document(given, jobs, sheets=False)
+    try:
+        document.recompute()
+        update = brought(document, edit(tmp_path / "s.xlsx", drop=["M2"]))
+        assert "N1" in labels(document) and "N1" in {f.object for f in update.findings}
+        update = brought(document, crossing(tmp_path / "s.xlsx", ranks=(2, 2)))
+        assert [(c.what, c.kind, c.name) for c in update.changes if c.what != "changed"] == [
+            ("removed", "Node", "N1")
+        ]
+        assert not update.findings and "N1" not in labels(document)
+        document.recompute()
+        assert all(obj.Status == "ok" for obj in document.Objects if hasattr(obj, "Status"))
+        # Back again, and used by something made by hand.
+        brought(document, crossing(tmp_path / "s.xlsx"))
+        document.recompute()
+        node = of_label(document, "N1", "Node")
+        assert node.Status == "ok" and node.Kind == "crossing"
+        document.addObject("Part::Mirroring", "Mirror").Source = node
+        update = brought(document, crossing(tmp_path / "s.xlsx", ranks=(2, 2)))
+        (told,) = update.findings
+        assert told.object == "N1" and "Mirror" in told.message and "N1" in labels(document)
+        document.recompute()
+        assert node.Status.startswith("error") and not node.Shape.Edges
+    finally:
+        FreeCAD.closeDocument(document.Name)
 
 
 def test_hand_made_additions_stay_and_are_named_when_they_use_what_is_gone(made, path):
@@ -144,8 +181,8 @@ def test_hand_made_additions_stay_and_are_named_when_they_use_what_is_gone(made,
     assert [f.object for f in bound] == ["B500"] and update.changes == []
     made.recompute()
     assert section.Height.Value == 510.0 and sheet in made.Objects and mirror in made.Objects
-    [plates] = [f for f in update.findings if f.object == "M2 plates"]
-    assert "Mirror" in plates.message
+    [member] = [f for f in update.findings if f.object == "M2"]
+    assert "M2 plates" in member.message and "Mirror" in member.message
 
 
 def test_a_label_or_value_changed_by_hand_is_brought_back_and_told(made, path):
@@ -227,8 +264,8 @@ def test_the_difference_of_two_schedules_per_member_and_property(path, tmp_path,
     changes = difference(path, other)
     found = {(c.what, c.kind, c.name, c.property, c.member) for c in changes}
     assert ("changed", "sections", "B500", "h", "M1") in found
-    assert ("changed", "axes", "A1", "points 3 z", "M1") in found
-    assert ("changed", "members", "M1", "segments 2 cut value", "M1") in found
+    assert ("changed", "axes", "A1", "point 3 z", "M1") in found
+    assert ("changed", "members", "M1", "segment 2 cut", "M1") in found
     assert ("removed", "members", "M3", "", "M3") in found
     assert any(kind == "splits" and name == "M1 top" for _, kind, name, _, _ in found)
     assert {member for *_, member in found} == {"M1", "M3"}
@@ -241,6 +278,47 @@ def test_the_difference_of_two_schedules_per_member_and_property(path, tmp_path,
     assert main(["diff", str(path), str(other), "--report", str(tmp_path / "c.json")]) == 0
     assert len(json.loads((tmp_path / "c.json").read_text())) == len(changes)
     assert difference(path, path) == ()
+
+
+def test_a_difference_reads_as_the_sheets_do(tmp_path):
+    """Degrees, kg/m3 and places as in their cells, a line for each cell of a row about plates."""
+    given = book(0)
+    path = write(tmp_path / "given.xlsx", given)
+
+    def cell(sheet, column, value, **where):
+        heading, *rows = given[sheet]
+        [row] = [r for r in rows if all(r[heading.index(k)] == v for k, v in where.items())]
+        row[heading.index(column)] = value
+
+    cell("Settings", "value", 450, key="station_spacing")
+    cell("Settings", "value", 650, key="bed_height")
+    cell("Materials", "density", 7900, material="Q355")
+    cell("Surfaces", "parameters", "r=15100", surface="Drum")
+    cell("Members", "roll", 9.5, member="M3", segment=1)
+    cell("Members", "cut", 5000, member="M3", segment=2)
+    cell("Splits", "joints", "4000 8000", member="M1")
+    cell("Splits", "joints", "auto", member="M3", face="left")
+    cell("Diaphragms", "t", 14, member="M3", s="80%")
+    cell("Preps", "angle", 41, prep="B6")
+    cell("Nodes", "gap", 9.5, node="K1")
+    cell("Status", "status", "scrap", plate="M3-T1")
+    told = {change.line() for change in difference(path, write(tmp_path / "later.xlsx", given))}
+    assert told >= {
+        "materials Q355: density 7850 -> 7900 (members M2, M3, M4)",
+        "surfaces Drum: r 15000 -> 15100 (members M3)",
+        "splits M1 top: joints 0.3 0.7 -> 4000 8000 (members M1)",
+        "diaphragms M3 80%: t 10 -> 14 (members M3)",
+        "statuses M3-T1: status cut -> scrap (members M3)",
+    }
+    for start, end in (
+        ("settings: station_spacing ", " -> 450"),
+        ("members M3: segment 2 cut ", "% -> 5000"),
+        ("members M3: roll ", " -> 9.5"),
+        ("splits M3 left: joints ", " -> auto (members M3)"),
+        ("edges M1 TL 10%: prep B6: bevel angle=", "members M1)"),
+        ("nodes K1: gap ", " -> 9.5 (members M1, M2)"),
+    ):
+        assert [1 for line in told if line.startswith(start) and line.endswith(end)] == [1], start
 
 
 def test_moved_rows_and_another_form_of_file_are_no_difference(path, tmp_path):

@@ -35,7 +35,7 @@ from BendTorsionWB.exchange.output_folder import (
 )
 from BendTorsionWB.exchange.schedule_cells import BadCell, Name
 from BendTorsionWB.exchange.schedule_writer import write_schedule
-from BendTorsionWB.exchange.whole_file import part_beside, write_whole
+from BendTorsionWB.exchange.whole_file import part_beside, whole_file, write_whole
 from BendTorsionWB.model_files import Wanted
 
 ROOT = Path(__file__).parent.parent
@@ -167,7 +167,7 @@ def test_files_of_a_killed_build_are_known_to_the_next_one(tmp_path):
     folder = OutputFolder(tmp_path, known, "Hall")
     assert folder.has("plates/M1-T1.dxf", "key") and not folder.has("model.step", "key")
     folder.write("plates/M2-T1.dxf", b"two", "key", "M2")
-    folder.close(None)
+    folder.close()
     left = {p.relative_to(tmp_path).as_posix() for p in tmp_path.rglob("*") if p.is_file()}
     # What was begun may have been changed since; it is told and stays.
     assert left == {"plates/M2-T1.dxf", "plates/notes.txt", ".bendtorsion.json", "model.step"}
@@ -176,7 +176,7 @@ def test_files_of_a_killed_build_are_known_to_the_next_one(tmp_path):
 def test_a_file_begun_and_not_written_is_still_known_as_it_was(tmp_path):
     first = OutputFolder(tmp_path, {})
     first.write("a.txt", b"old", "key one")
-    first.close(None)
+    first.close()
     killed = OutputFolder(tmp_path, read_manifest(tmp_path))
     killed._note("a.txt", OwnFile("", "key two", "0" * 64))
     assert OutputFolder(tmp_path, read_manifest(tmp_path)).has("a.txt", "key one")
@@ -318,6 +318,23 @@ def test_writers_that_do_not_tell_of_a_full_disk_are_not_believed(tmp_path, what
             assert path.read_bytes() == before
     finally:
         FreeCAD.closeDocument(document.Name)
+
+
+def test_what_a_writer_does_not_tell_of_a_failure_the_system_does(tmp_path):
+    """Open CASCADE says no more than that it cannot open a file."""
+    usual = resource.getrlimit(resource.RLIMIT_FSIZE)
+    found = {}
+    for name, size in (("full", 1000), ("free", usual[0])):
+        try:
+            resource.setrlimit(resource.RLIMIT_FSIZE, (size, usual[1]))
+            with pytest.raises(BendTorsionError) as raised, whole_file(tmp_path / "a.step"):
+                raise OSError("Cannot open file")
+        finally:
+            resource.setrlimit(resource.RLIMIT_FSIZE, usual)
+        found[name] = raised.value.findings[0]
+        assert not list(tmp_path.iterdir())
+    assert found["full"].mend.startswith("free space on the disk")
+    assert "Cannot open file" in found["free"].message
 
 
 def test_a_folder_that_only_reads_or_cannot_be_looked_into_is_refused_by_name():

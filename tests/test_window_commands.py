@@ -152,6 +152,9 @@ def test_joints_as_text(window):
     assert seen["count"][1] == seen["count"][0] + 1
     assert seen["bad"][0] == [8000.0] and "write auto, or numbers" in seen["bad"][1]
     assert seen["bad"][2] is False
+    before, told, enabled = seen["bad stock"]
+    assert before == "" and "cannot be read" in told and enabled is False
+    assert seen["stock"] == ["9000x2000", True]
     assert seen["kept"] == [[8000.0], ["Plates"]]
 
 

@@ -12,6 +12,7 @@ from curved_members import diagonal, irregular
 from test_build import APART, schedule
 
 from BendTorsionWB import make, project
+from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.memo import content_hash
 from BendTorsionWB.document import build_document
 from BendTorsionWB.exchange.schedule import read_schedule
@@ -289,3 +290,22 @@ def test_every_setting_comes_back(tmp_path, sheets):
     assert {name: content_hash(job) for name, job in again.items()} == {
         name: content_hash(job) for name, job in jobs.items()
     }
+
+
+@pytest.mark.parametrize(
+    "owner, link", [("M1", "Axis"), ("M1", "Section1"), ("A1", "Surface")], ids=lambda name: name
+)
+def test_what_lost_a_link_is_refused_by_name(document, tmp_path, owner, link):
+    """Of a member or an axis whose source was deleted there is no row; no file is left."""
+    ground = make.make_surface(document, "Ground", "plane")
+    axis = make.make_axis(document, "A1", ground, [(0, 0, 0), (4000, 0, 0)])
+    make.make_member(document, "M1", axis, [make.make_section(document, "B")])
+    document.recompute()
+    obj = document.getObjectsByLabel(owner)[0]
+    document.removeObject(getattr(obj, link).Name)
+    document.recompute()
+    with pytest.raises(BendTorsionError) as caught:
+        write_back(document, tmp_path / "lost.xlsx")
+    finding = caught.value.findings[0]
+    assert finding.code == "link-missing" and finding.object == owner and link in finding.position
+    assert not (tmp_path / "lost.xlsx").exists()

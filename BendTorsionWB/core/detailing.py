@@ -44,12 +44,13 @@ from .solids.mass import PlateFigures, net_figures, plate_figures, skin_area
 from .solids.member_figures import beyond_stock, torsion_error, wireframe, with_stock
 from .solids.solid_skins import corner_tubes, in_ring_order, skins_and_volumes
 from .stages import MemberGeometry, MemberInput, MemberPlates, PlateGeometry, PlatesInput, Skins
-from .welds.backing_clash import backing_clashes
+from .welds.backing_clash import backing_clashes, node_backing_clashes
 from .welds.bevel_limit import bevels_beyond
 from .welds.bevels import with_bevels
 from .welds.edge_rows import EdgeTreatment
 from .welds.root_gaps import joint_gaps, seam_gaps, with_root_gaps
 from .welds.seam_corners import seam_corners
+from .welds.weld_access import access_findings
 from .welds.welds import welds_of
 
 
@@ -256,6 +257,16 @@ def record_of(plates: MemberPlates, given: PatternInput = PLAIN) -> MemberRecord
     developed = with_bevels(developed, welds, plates.given.welds.bevel_step, given.contour)
     faces = {plate.mark: plate.face for plate in developed}
     clashes = backing_clashes(member.name, member.length, welds, faces, plates.given.diaphragms)
+    at_nodes = node_backing_clashes(developed, welds)
+    inside = access_findings(
+        member.name,
+        member.law,
+        welds,
+        faces,
+        {row.closing.face for row in plates.given.diaphragms if row.closing},
+        bool(plates.given.openings),
+        plates.given.welds.access,
+    )
     beyond = bevels_beyond(developed, plates.given.welds.largest_bevel)
     sections = []
     for section in member.law.sections:
@@ -274,7 +285,7 @@ def record_of(plates: MemberPlates, given: PatternInput = PLAIN) -> MemberRecord
         total_torsion=float(theta[-1]),
         plates=developed,
         wireframe=wireframe(member) | {f.mark: f.ring for f in plates.flat},
-        findings=(*findings, *weld_findings, *clashes, *beyond),
+        findings=(*findings, *weld_findings, *clashes, *at_nodes, *inside, *beyond),
         zones=zone_records(member.law),
         centre_of_gravity=figures.centre_of_gravity,
         painted_area=painted_area(geometry),

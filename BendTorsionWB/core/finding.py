@@ -45,7 +45,7 @@ class Finding:
         """The finding as one line for a console or a status bar. length: writes a length, mm, in
         the unit of the sheets; mm stand beside it then."""
         place = ", ".join(part for part in (self.object, self.position) if part)
-        text = f"{self.severity}: {place}: {self.message}"
+        text = ": ".join(part for part in (self.severity, place, self.message) if part)
         figures = []
         if self.value not in (None, ""):
             figures.append(f"value {figure_text(self.value, self.unit, length)}")

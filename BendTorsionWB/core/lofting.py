@@ -178,7 +178,8 @@ class WeldedSide:
     section, with `room` mm beside the wall; `open`, not at all, too far from it. gap: mm to the
     wall, where the edge is cut square along its wider face. slot: length and breadth, mm, of each
     of its slots. dihedral: rad, the smaller of the two angles between part and wall, where it is
-    least."""
+    least. edge: corners it is between, `P-1/P-2`, where they are known. opens: the face along which
+    the edge, cut square, stands farther from the wall: `up`, the one it is marked on, or `down`."""
 
     face: str
     length: float
@@ -188,6 +189,8 @@ class WeldedSide:
     room: float = 0.0
     slot: tuple[float, float] | None = None
     dihedral: float = 0.5 * math.pi
+    edge: str = ""
+    opens: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -299,6 +302,11 @@ class DevelopedPlate:
     contour: str = "mid"
     flattened_surface: str = "mid"
     stock: tuple[float, float] | None = None
+
+    def side_ends(self, edge: str) -> np.ndarray:
+        """The corners (2, 2) on the pattern of a side `P-1/P-2` of a flat part."""
+        flat = {point.label: point.flat for point in self.points}
+        return np.array([flat[label] for label in edge.split("/")])
 
     @property
     def contour_face(self) -> str:

@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import gc
 import multiprocessing
 import os
+import pickle
 import signal
 import sys
 import threading
@@ -23,16 +25,20 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
+from .collection import without_collection
+
 WAITING_PER_WORKER = 2
 """Items handed to the pool ahead of each worker: these are looked at when a worker dies."""
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of an item: its value, or what its worker failed with."""
+    """What became of an item: its value, or what its worker failed with; packed: the value as its
+    worker packed it (a pickle), empty when it was made in this process."""
 
     value: object = None
     failure: str = ""
+    packed: bytes = b""
 
 
 class Workers(Executor):
@@ -64,6 +70,8 @@ class Workers(Executor):
 
 def _as_worker() -> None:
     """Leave interrupts to the parent, and end with it also when it was killed."""
+    # A collection would walk what the fork shares with the parent, and copy every page of it.
+    gc.freeze()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_end_with_the_parent, daemon=True).start()
 
@@ -113,7 +121,7 @@ def attempts(
     while waiting or running:
         while waiting and len(running) < ahead:
             name = waiting.popleft()
-            running[executor.submit(function, items[name])] = name
+            running[executor.submit(_packed, function, items[name])] = name
         done, _ = wait(running, return_when=FIRST_COMPLETED)
         suspects = []
         for future in done:
@@ -126,9 +134,14 @@ def attempts(
             suspects += running.values()
             running.clear()
         for name in sorted(suspects, key=list(items).index):
-            future = executor.submit(function, items[name])
+            future = executor.submit(_packed, function, items[name])
             wait([future])
             yield name, _outcome(future)
+
+
+def _packed(function: Callable, item) -> bytes:
+    """The value of a function, packed once for its way here and for whoever keeps it."""
+    return pickle.dumps(function(item), 5)
 
 
 def _outcome(future: Future) -> Outcome:
@@ -137,7 +150,9 @@ def _outcome(future: Future) -> Outcome:
     except CancelledError:
         return Outcome(failure="its worker was taken away")
     if failure is None:
-        return Outcome(future.result())
+        packed = future.result()
+        with without_collection():
+            return Outcome(pickle.loads(packed), packed=packed)
     if isinstance(failure, BrokenExecutor):
         return Outcome(failure="its worker process died (out of memory, or killed)")
     return Outcome(failure=f"its worker failed: {type(failure).__name__}: {failure}")

@@ -131,6 +131,7 @@ def weld_defaults(pack: str) -> WeldDefaults:
         widest_leg=value("fillet_leg"),
         widest_gap=value("widest_root_gap"),
         gap_over_thickness=value("root_gap_over_thickness"),
+        access=value("node_manhole"),
     )
 
 

@@ -13,6 +13,8 @@ UNITS = {"mm": 1.0, "m": 0.001}
 """Site units written to lists, per millimetre."""
 _WHOLE = 1e-6
 """mm; values nearer than this to a whole number have no fraction."""
+_ON_EARTH = {"site_x": 6.5e7, "site_y": 6.5e7, "site_z": 1e4}
+"""Metres; no survey tells more: an easting with the number of its zone, of 60, before it."""
 
 
 @dataclass(frozen=True)
@@ -40,23 +42,31 @@ AT_ORIGIN = SiteDatum()
 
 def datum_findings(site: SiteDatum) -> tuple[Finding, ...]:
     """A warning for each value of a datum shown in metres that looks as if it were written in
-    metres: with a part of a millimetre, or a place less than a metre from the site's origin."""
+    metres: with a part of a millimetre, or a place less than a metre from the site's origin. None
+    of a value too large to be metres anywhere on Earth."""
     if site.unit != "m":
         return ()
     found = []
     for name, value in (("site_x", site.x), ("site_y", site.y), ("site_z", site.z)):
+        if abs(value) > _ON_EARTH[name]:
+            continue
         fraction = abs(value - round(value)) > _WHOLE
         if fraction or (name != "site_z" and 0.0 < abs(value) < 1000.0):
             found.append(
                 warning(
                     "site-unit",
                     "Settings",
-                    f"{name} is read in mm: {value:.12g} mm is {value * UNITS['m']:.6f} m on the "
-                    "site; site_unit is the unit of lists and sheets alone",
-                    f"if it is in metres write {value / UNITS['m']:.12g}, in mm",
+                    f"{name} is read in mm: {_figure(value)} mm is {value * UNITS['m']:.6f} m on "
+                    "the site; site_unit is the unit of lists and sheets alone",
+                    f"if it is in metres write {_figure(value / UNITS['m'])}, in mm",
                     position=name,
                     value=value,
                     unit="mm",
                 )
             )
     return tuple(found)
+
+
+def _figure(value: float) -> str:
+    """A value as it is written in a cell, without an exponent."""
+    return f"{value:.6f}".rstrip("0").rstrip(".")

@@ -22,6 +22,8 @@ BEVELS = (
     ),
     *(Column(name, TENTH, 15) for name in ("chamfer_slope", "chamfer_length", "chamfer_depth")),
     Column("chamfer_face", TEXT, 13),
+    Column("angle_opening", TENTH, 13),
+    Column("opening_face", TEXT, 13),
     Column("prep", TEXT, 14),
     Column("weld", TEXT, 24),
 )
@@ -66,6 +68,8 @@ def _bevel(plate, bevel) -> tuple:
             if chamfer
             else (None,) * 4
         ),
+        math.degrees(bevel.opening[0]) if bevel.opening[1] else None,
+        bevel.opening[1],
         bevel.prep,
         bevel.weld,
     )

@@ -15,6 +15,7 @@ import openpyxl
 from openpyxl.cell.cell import ILLEGAL_CHARACTERS_RE
 
 from BendTorsionWB.core.finding import BendTorsionError, error
+from BendTorsionWB.exchange.file_kind import refuse_loop
 from BendTorsionWB.exchange.schedule_columns import SHEETS
 from BendTorsionWB.exchange.whole_file import (
     not_written,
@@ -72,10 +73,26 @@ def read_folder(folder: Path) -> openpyxl.Workbook:
 
 def read_csv(path: Path) -> list[list[str]]:
     """The rows of a CSV file; raises BendTorsionError for one that cannot be read."""
+    refuse_loop(path)
     try:
         return _rows(path)
+    except FileNotFoundError:
+        mend = "check the folder and the name"
+        raise BendTorsionError(
+            error("file-missing", path.name, "there is no such file", mend, value=str(path))
+        ) from None
+    except IsADirectoryError:
+        raise BendTorsionError(
+            error(
+                "file-is-folder",
+                path.name,
+                "is a folder, not a file",
+                "name the .csv file in it",
+                value=str(path),
+            )
+        ) from None
     except (OSError, UnicodeError, csv.Error) as reason:
-        message = f"cannot be read as CSV: {reason}"
+        message = f"cannot be read as CSV: {getattr(reason, 'strerror', None) or reason}"
         raise BendTorsionError(
             error("file-unreadable", path.name, message, "save it as CSV (UTF-8) again")
         ) from reason

@@ -4,11 +4,15 @@
 from __future__ import annotations
 
 import json
+import math
 import os
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, fields, is_dataclass
 
-from BendTorsionWB.exchange.schedule_rows import Row, Schedule
+from BendTorsionWB.exchange.file_kind import CHANGES, check_ending
+from BendTorsionWB.exchange.schedule_cells import Cut, Joints
+from BendTorsionWB.exchange.schedule_rows import PartRow, Row, Schedule
 from BendTorsionWB.exchange.whole_file import write_whole
 from BendTorsionWB.exchange.xlsx_file import TEXT, Column, Table, xlsx_bytes
 
@@ -32,11 +36,12 @@ class Change:
         if self.what != "changed":
             return f"{self.what}: {self.kind} {self.name}{concerned}"
         figures = f"{_shown(self.before)} -> {_shown(self.after)}"
-        return f"{self.kind} {self.name}: {self.property} {figures}{concerned}"
+        row = f"{self.kind} {self.name}".rstrip()
+        return f"{row}: {self.property} {figures}{concerned}"
 
 
 # Fields of a Schedule whose rows have no name of their own are named by these.
-_KEYS = ("member", "sheet", "face", "number", "joint", "seam", "piece", "node", "prep")
+_KEYS = ("member", "face", "number", "joint", "seam", "piece", "node")
 
 
 def schedule_changes(before: Schedule, after: Schedule) -> tuple[Change, ...]:
@@ -70,37 +75,95 @@ def _flat(schedule: Schedule) -> dict[tuple[str, str], dict[str, object]]:
             rows[item.name, ""] = _paths(value)
         elif isinstance(value, tuple):
             for index, row in enumerate(value, start=1):
-                name = _name(row, index)
-                while (item.name, name) in rows:
+                kind, name = _kind(item.name, row), _name(row, index)
+                while (kind, name) in rows:
                     name += " +"
-                rows[item.name, name] = _paths(row)
+                rows[kind, name] = _paths(row)
     return rows
+
+
+def _kind(table: str, row) -> str:
+    """The sheet of a row, in small letters; rows of all sheets about plates are in one table."""
+    return row.sheet.lower() if isinstance(row, PartRow) else table
 
 
 def _name(row, index: int) -> str:
     name = getattr(row, "name", None)
     if isinstance(name, str):
         return name
-    words = [str(getattr(row, key)) for key in _KEYS if getattr(row, key, None) is not None]
-    place = dict(getattr(row, "cells", ())).get("s")
-    return " ".join([*words, *([str(place)] if place is not None else [])]) or str(index)
+    cells = dict(getattr(row, "cells", ()))
+    given = [cells.get(key, getattr(row, key, None)) for key in _KEYS]
+    words = [str(word) for word in given if word is not None]
+    place = cells.get("s", cells.get("from"))
+    if place is not None:
+        words.append(_plain_place(str(place)))
+    return " ".join(words) or str(index)
+
+
+# Fields that are no word of a sheet: what is below them belongs to the row itself.
+_WITHIN = ("cells", "sizes", "patterns", "allowances")
+_COLUMN_OF = {
+    ("MemberRow", "offset_y"): "member_offset_y",
+    ("MemberRow", "offset_z"): "member_offset_z",
+    ("PatternInput", "surface"): "flattened_surface",
+    ("Allowances", "joint"): "joint_allowance",
+    ("Allowances", "diaphragm"): "diaphragm_allowance",
+}
+"""Of fields named otherwise than their columns: these."""
+_IN_UNIT = {
+    "roll": math.degrees,
+    "angle": math.degrees,
+    "site_rotation": math.degrees,
+    "density": lambda density: density * 1e9,
+}
+"""Of fields in other units than their columns: what makes the column's of them."""
 
 
 def _paths(value, path: str = "") -> dict[str, object]:
-    """Every single value below a row by its path, rows within rows by their number."""
+    """Every single value below a row by its path, as its cell says it; rows within rows by their
+    number, `segment 2 slope`."""
+    if isinstance(value, (Cut, Joints)):
+        return {path: _place(value)}
     if is_dataclass(value):
         found = {}
         for item in fields(value):
-            if item.name not in ("place", "name"):
-                below = f"{path} {item.name}".strip()
+            if item.name not in ("place", "name", "member", "sheet"):
+                word = _COLUMN_OF.get((type(value).__name__, item.name), item.name)
+                below = path if item.name in _WITHIN else f"{path} {word}".strip()
                 found |= _paths(getattr(value, item.name), below)
         return found
     if isinstance(value, tuple) and any(is_dataclass(item) for item in value):
         found = {}
         for index, item in enumerate(value, start=1):
-            found |= _paths(item, f"{path} {getattr(item, 'number', index)}")
+            number = getattr(item, "number", index)
+            found |= _paths(item, f"{path.removesuffix('s')} {number}")
         return found
-    return {path: value}
+    if isinstance(value, tuple) and value and all(_is_named(item) for item in value):
+        found = {}
+        for name, item in value:
+            found |= _paths(item, f"{path} {name}".strip())
+        return found
+    in_unit = _IN_UNIT.get(path.rpartition(" ")[2])
+    if in_unit is not None and isinstance(value, float):
+        return {path: float(f"{in_unit(value):.12g}")}
+    return {path: _plain_place(value) if isinstance(value, str) else value}
+
+
+def _is_named(item) -> bool:
+    return isinstance(item, tuple) and len(item) == 2 and isinstance(item[0], str)
+
+
+def _place(value: Cut | Joints) -> str:
+    """A place or places as in a cell: `35%`, `7200`, `0.3 0.6`, `auto`."""
+    if isinstance(value, Joints):
+        none = "auto" if value.kind == "auto" else "none"
+        return " ".join(f"{own:.12g}" for own in value.values) or none
+    return f"{100.0 * value.value:.12g}%" if value.is_ratio else f"{value.value:.12g}"
+
+
+def _plain_place(words: str) -> str:
+    """`80.0%` and `2500.0`, as rows of plates keep their places, as `80%` and `2500`."""
+    return re.sub(r"^(\d+)\.0(%?)$", r"\1\2", words)
 
 
 def _members_by_row(schedule: Schedule) -> dict[tuple[str, str], str]:
@@ -121,11 +184,18 @@ def _members_by_row(schedule: Schedule) -> dict[tuple[str, str], str]:
         for segment in row.segments:
             note("sections", segment.section, row.name)
             note("materials", materials[segment.section], row.name)
+    for index, row in enumerate(schedule.nodes, start=1):
+        for member in (row.through, row.other):
+            note("nodes", _name(row, index), member)
+    for row in schedule.statuses:
+        # A mark is `M1-T3`, and a member's name may have a hyphen as well.
+        for member in {own.name for own in schedule.members} & {row.name.rpartition("-")[0]}:
+            note("statuses", row.name, member)
     for item in fields(schedule):
         value = getattr(schedule, item.name)
         for index, row in enumerate(value if isinstance(value, tuple) else (), start=1):
             if isinstance(getattr(row, "member", None), str):
-                note(item.name, _name(row, index), row.member)
+                note(_kind(item.name, row), _name(row, index), row.member)
     return {key: ", ".join(names) for key, names in found.items()}
 
 
@@ -149,9 +219,11 @@ def change_rows(changes: Iterable[Change]) -> list[tuple]:
 
 
 def write_changes(changes: Sequence[Change], path: str | os.PathLike) -> None:
-    """Write changes as .xlsx, .csv or .json, by the ending. Raises BendTorsionError."""
+    """Write changes as .xlsx, .csv or .json, by the ending. Raises BendTorsionError, for another
+    ending too."""
     from BendTorsionWB.exchange.csv_folder import csv_bytes
 
+    check_ending(path, CHANGES)
     ending = os.fspath(path).lower().rpartition(".")[2]
     if ending == "json":
         rows = [{**asdict(c), "before": _cell(c.before), "after": _cell(c.after)} for c in changes]

@@ -13,9 +13,9 @@ from ezdxf.lldxf.validator import is_valid_layer_name
 
 from ..core.finding import BendTorsionError, error
 from ..core.geometry.arc_contour import extents
-from ..core.geometry.arc_fit import FIT_TOLERANCE, fit_outline
+from ..core.geometry.arc_fit import FIT_TOLERANCE
 from ..core.lofting import DevelopedPlate, FoldLine
-from ..core.patterns.cut_contour import cut_contour
+from ..core.patterns.cut_contour import cut_arcs, cut_contour
 from ..core.patterns.forming import fold_direction
 from ..core.patterns.gross import marked_ends
 from ..core.patterns.inner_contours import text_field
@@ -84,10 +84,10 @@ def plate_dxf(
 ) -> bytes:
     """The DXF file of `write_plate_dxf` as bytes."""
     names = _layer_names(layers)
-    plate = cut_contour(plate).plate
-    outline = fit_outline(plate.outline, tolerance, plate.mark)
+    outline, _ = cut_arcs(plate, tolerance)
     corners = np.array([(0.0, 0.0), extents(outline)])
-    return dxf_bytes(layers_of(names), corners, draw_plate(plate, outline, names, tolerance))
+    drawn = draw_plate(cut_contour(plate).plate, outline, names, tolerance)
+    return dxf_bytes(layers_of(names), corners, drawn)
 
 
 def layers_of(names: Mapping[str, str]) -> tuple[Layer, ...]:
@@ -113,7 +113,7 @@ def draw_plate(
     # Texts last, the large ones first: each takes what room the lines and other texts leave.
     centre, layer = centre_of(plate), names[MARK_TEXT]
     fields = longest(clear_fields(plate, panels(plate)))
-    height = _text_height(plate, fields)
+    height = _text_height(plate, fields if plate.lines else [text_field(plate)])
     if fields:
         _add_identity(drawn, plate, fields, layer, height)
     else:
@@ -235,7 +235,7 @@ def _add_identity(drawn: Pattern, plate: DevelopedPlate, fields: list, layer: st
 def _add_flat_identity(drawn: Pattern, plate: DevelopedPlate, layer: str) -> None:
     """The identity of a flat part, level, where it has most room."""
     field, rows = text_field(plate), identity(plate)
-    height = round(max(SMALLEST_TEXT, _text_fit(field, rows)[0]), 1)
+    height = _text_height(plate, [field])
     wide = max(map(len, rows)) * CHARACTER_WIDTH
     drawn.block(rows, wide, height, np.array([1.0, 0.0]), [field], layer)
 

@@ -19,9 +19,19 @@ _INSET = 12.0
 def bevel_text(bevel: EdgeBevel, marking_face: str, thickness: float) -> str:
     """Such as `40.0 deg up land 6`: cut back by 40 degrees at the marking face (`down`: at the
     other), 6 mm left as they are; `45.0/45.0 deg up/down land 2` for both faces; `30.0 deg down
-    land 2, chamfer 1:4 16x4 up` with a chamfer 16 mm long and 4 mm deep at the marking face."""
+    land 2, chamfer 1:4 16x4 up` with a chamfer 16 mm long and 4 mm deep at the marking face;
+    `square, open 50.0 deg up` of a side cut square that stands 50 degrees off the wall it is welded
+    to, farther from it along the marking face."""
+    if bevel.opening[1]:
+        return opening_text(bevel)
     groove, chamfer = _groove(bevel, marking_face, thickness), chamfer_text(bevel, marking_face)
     return ", ".join(filter(None, (groove, chamfer)))
+
+
+def opening_text(bevel: EdgeBevel) -> str:
+    """Such as `square, open 50.0 deg up`; empty without an opening."""
+    angle, way = bevel.opening
+    return f"square, open {_degrees(angle)} deg {way}" if way else ""
 
 
 def chamfer_text(bevel: EdgeBevel, marking_face: str) -> str:
@@ -119,6 +129,8 @@ def _boxes(letters: int, start, way, reach: float, inward, height: float) -> Box
 
 def _place(plate: DevelopedPlate, bevel: EdgeBevel) -> np.ndarray:
     """(2, 2) a chord of the stretch, between measuring lines where it is long enough."""
+    if bevel.side == "wall":
+        return plate.side_ends(bevel.edge)
     if bevel.side in ("start", "end"):
         line = plate.lines[0 if bevel.side == "start" else -1]
         parts = np.array([[bevel.start], [bevel.end]]) / line.length_3d

@@ -36,8 +36,8 @@ class Boxes:
     heights: np.ndarray
     text: np.ndarray
 
-    def those(self, which: np.ndarray) -> Boxes:
-        """The boxes chosen by an index or a mask."""
+    def those(self, which: np.ndarray | slice) -> Boxes:
+        """The boxes chosen by an index, a mask or a slice."""
         return Boxes(
             self.corners[which],
             self.reading[which],
@@ -60,15 +60,21 @@ class Boxes:
 
 @dataclass
 class Room:
-    """The lines of a pattern that texts keep clear of: parts (m, 2, 2) each; sheet: the contour
-    (m, 3) texts stay inside, chords for arcs, if any."""
+    """The lines of a pattern that texts keep clear of: the first `count` of lines (n, 2, 2); sheet:
+    the contour (m, 3) texts stay inside, chords for arcs, if any."""
 
-    parts: list[np.ndarray] = field(default_factory=list)
+    lines: np.ndarray = field(default_factory=lambda: np.zeros((256, 2, 2)))
+    count: int = 0
     sheet: np.ndarray | None = None
 
     def add_lines(self, lines: np.ndarray) -> None:
         """Straight lines (m, 2, 2)."""
-        self.parts.append(np.asarray(lines, float).reshape(-1, 2, 2))
+        more = np.asarray(lines, float).reshape(-1, 2, 2)
+        end = self.count + len(more)
+        if end > len(self.lines):
+            self.lines = np.concatenate([self.lines, np.zeros((end, 2, 2))])
+        self.lines[self.count : end] = more
+        self.count = end
 
     def add_contour(self, arcs: np.ndarray, close: bool = True) -> None:
         """A polyline of arcs (m, 3)."""
@@ -102,7 +108,7 @@ class Room:
         """Number of the first box that nothing reaches into, else of the one fewest lines do, of
         those on the sheet if any; it is taken from then on."""
         chosen = self._freest(boxes)
-        if self.sheet is not None and not self._on_sheet(boxes.those(np.array([chosen])))[0]:
+        if self.sheet is not None and not self._on_sheet(boxes.those(slice(chosen, chosen + 1)))[0]:
             whole = np.flatnonzero(self._on_sheet(boxes))
             if len(whole):
                 chosen = int(whole[self._freest(boxes.those(whole))])
@@ -120,11 +126,16 @@ class Room:
         return within.reshape(len(corners), 4).all(axis=1)
 
     def _freest(self, boxes: Boxes) -> int:
-        lines = np.concatenate(self.parts) if self.parts else np.zeros((0, 2, 2))
+        lines = self.lines[: self.count]
         # Mostly the first is free, then one as large: the others need not be looked at.
-        chosen, fewest = 0, np.inf
+        near = _near_first(boxes, lines)
+        if not len(near):
+            return 0
+        chosen, fewest = 0, int(_reaching(boxes, near, slice(0, 1))[0])
+        if not fewest:
+            return 0
         sizes = np.flatnonzero(np.diff(boxes.text)) + 1
-        edges = np.unique([0, 1, *sizes, len(boxes.text)])
+        edges = np.unique([1, *sizes, len(boxes.text)])
         for start, stop in zip(edges[:-1], edges[1:], strict=True):
             hits = _reaching(boxes, lines, slice(start, stop))
             best = int(np.argmin(hits))
@@ -191,6 +202,21 @@ def blocks(
 def _heights(height: float) -> list[float]:
     """Text heights to try, mm, rounded as they are written."""
     return [round(max(SMALLEST_TEXT, height * part), 1) for part in _SIZES]
+
+
+def _near_first(boxes: Boxes, lines: np.ndarray) -> np.ndarray:
+    """Those of the lines (m, 2, 2) that are not wholly on one side of the first box."""
+    gap = CLEARANCE * boxes.text[0] + 1e-6
+    (x, y), (across, along) = boxes.corners[0], boxes.reading[0]
+    right, up = lines[..., 0] - x, lines[..., 1] - y
+    near = True
+    for own, size in (
+        (right * across + up * along, boxes.widths[0]),
+        (up * across - right * along, boxes.heights[0]),
+    ):
+        one, other = own[:, 0], own[:, 1]
+        near &= (np.maximum(one, other) >= -gap) & (np.minimum(one, other) <= size + gap)
+    return lines[near]
 
 
 def _reaching(boxes: Boxes, lines: np.ndarray, which: slice) -> np.ndarray:

@@ -51,6 +51,8 @@ Grooves are told by the texts on layer MARK_BEVEL, by the bevel fields of NC1
 and by sheet Bevels; the solids of STEP and IFC are without them. "land 2, chamfer 1:4 16x4 up"
 at a joint with a thinner plate: after cutting the marked face ("down": the other one) is machined
 off over 16 mm, 4 mm deep at the edge, and leaves a land of 2 mm; the solids have the chamfer.
+"square, open 50.0 deg up" at a side of a diaphragm: cut square, not bevelled; what it is welded
+to stands askew, and leaves a groove of 50 degrees open at the marked face.
 
 Layers of the DXF files: CUT_OUTER, CUT_INNER to cut; MARK_LINE, MARK_FOLD, MARK_ROLL,
 MARK_TEXT, MARK_BEVEL to mark; PUNCH to punch; REF for information only.

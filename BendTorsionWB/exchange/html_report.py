@@ -12,6 +12,7 @@ from urllib.parse import quote
 from ..core.error_sources import ErrorSource
 from ..core.finding import Finding
 from ..core.lofting import MemberRecord
+from ..core.nodes.node_record import NodeRecord
 from . import figures, report
 from .cutting_tables import cutting_tables
 from .node_tables import nodes_of
@@ -58,10 +59,12 @@ def html_report(
     patterns: Sequence[Picture] = (),
     files: Iterable[tuple[str, str]] = (),
     length: Callable[[float], str] | None = None,
+    nodes: Sequence[NodeRecord] | None = None,
 ) -> str:
     """The whole page, nothing outside it needed to show it. pictures: at the top; patterns: below,
     to be unfolded; files: of the folder the page lies in, by name, and what is in them; length:
-    writes lengths of findings beside mm, as of `Finding.line`."""
+    writes lengths of findings beside mm, as of `Finding.line`; nodes: of the project, with meetings
+    that are none, or those of the records."""
     known = report.all_findings(records, findings)
     title = escape(project or "BendTorsion project")
     parts = [
@@ -82,7 +85,7 @@ def html_report(
         _cutting(records),
         "<h2>Pieces</h2>",
         _pieces(records),
-        *_nodes(records),
+        *_nodes(nodes_of(records) if nodes is None else nodes),
         "<h2>Plates</h2>",
         _plates(records),
         "<h2>Files of this folder</h2>",
@@ -235,9 +238,8 @@ def _pieces(records: Sequence[MemberRecord]) -> str:
     return _table(header, rows, numbers=(1, 2, 3, 4, 5))
 
 
-def _nodes(records: Sequence[MemberRecord]) -> list[str]:
-    """The list of nodes; nothing without any."""
-    nodes = nodes_of(records)
+def _nodes(nodes: Sequence[NodeRecord]) -> list[str]:
+    """The list of nodes and of meetings that are none; nothing without any."""
     if not nodes:
         return []
     rows = [
@@ -257,12 +259,13 @@ def _nodes(records: Sequence[MemberRecord]) -> list[str]:
                 report.degrees(node.largest_angle), node.limits and report.degrees(node.limits[1])
             ),
             _number(float(node.diaphragms), 0),
+            _cell(node.status),
         ]
         for node in nodes
     ]
     header = [
         *("node", "kind", "through", "s", "branch", "s of branch", "angle", "type", "root gap"),
-        *("lands on", "flange step", "flange angle", "diaphragms"),
+        *("lands on", "flange step", "flange angle", "diaphragms", "status"),
     ]
     return ["<h2>Nodes</h2>", _table(header, rows, numbers=(3, 5, 6, 8, 10, 11, 12))]
 

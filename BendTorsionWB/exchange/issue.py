@@ -12,7 +12,7 @@ import json
 import os
 import re
 import shutil
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from contextlib import suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path, PurePosixPath
@@ -20,7 +20,13 @@ from pathlib import Path, PurePosixPath
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.core.lofting import MemberRecord
 from BendTorsionWB.exchange.csv_folder import csv_bytes
-from BendTorsionWB.exchange.output_folder import file_hash, is_unfinished, read_manifest
+from BendTorsionWB.exchange.output_folder import (
+    file_hash,
+    is_unfinished,
+    outdated_members,
+    read_manifest,
+    standing_errors,
+)
 from BendTorsionWB.exchange.plate_outlines import (
     CutOutline,
     cut_outline,
@@ -32,11 +38,12 @@ from BendTorsionWB.exchange.revision import (
     REVISION,
     PlateChange,
     plate_changes,
+    rounded_row,
     with_marking,
     write_revision,
 )
 from BendTorsionWB.exchange.whole_file import part_beside, remove_parts, write_whole
-from BendTorsionWB.exchange.xlsx_file import TENTH, TEXT, WHOLE, Column, Table, xlsx_bytes
+from BendTorsionWB.exchange.xlsx_file import HUNDREDTH, TEXT, WHOLE, Column, Table, xlsx_bytes
 
 ISSUED = "issued"
 TRANSMITTAL = "transmittal"
@@ -76,6 +83,15 @@ class Issue:
 def last_issue(out: Path) -> Issue | None:
     """The latest issue of a folder; raises BendTorsionError for a transmittal that cannot be
     read."""
+    return max(_issues(out), key=lambda issue: issue.number, default=None)
+
+
+def issued_marks(out: Path) -> set[str]:
+    """Marks of all plates that were ever issued; raises BendTorsionError as last_issue does."""
+    return {item.plate for issue in _issues(out) for item in issue.files.values() if item.plate}
+
+
+def _issues(out: Path) -> list[Issue]:
     found = []
     # What begins with a point was never issued: the program was killed over it.
     for path in sorted((out / ISSUED).glob(f"[!.]*/{TRANSMITTAL}.json")):
@@ -87,7 +103,7 @@ def last_issue(out: Path) -> Issue | None:
             raise _fault(
                 "issue-unreadable", str(path), f"cannot be read: {problem}", "restore it"
             ) from problem
-    return max(found, key=lambda issue: issue.number, default=None)
+    return found
 
 
 def issued_outlines(out: Path, issue: Issue | None) -> Mapping[str, CutOutline]:
@@ -108,13 +124,35 @@ def unchanged_marks(out: Path, issue: Issue) -> set[str]:
 def issue(out: Path, revision: str, outlines: Path, note: str = "") -> Issue:
     """Freeze the files of a built folder under a revision. outlines: the file of the build's plate
     outlines. Raises BendTorsionError for a revision there is already, files that are not as the
-    build left them, and a folder without a build; then nothing is written."""
+    build left them, a build in error, and a folder without a build; then nothing is written."""
     out = Path(out)
     target = out / ISSUED / revision
     former = last_issue(out)
     _check(out, revision, target)
     if is_unfinished(out):
         raise _fault("issue-nothing", str(out), "the last build did not end", "build it again")
+    outdated = outdated_members(out)
+    if outdated:
+        raise BendTorsionError(
+            error(
+                "issue-outdated",
+                name,
+                "was left out of the last build and has changed since",
+                "build all members first",
+            )
+            for name in outdated
+        )
+    standing = standing_errors(out)
+    if standing:
+        raise BendTorsionError(
+            error(
+                "issue-in-error",
+                name,
+                f"was in error in the last build: {told}",
+                "mend it and build again",
+            )
+            for name, told in standing.items()
+        )
     manifest = {n: own for n, own in read_manifest(out).items() if n not in _NOT_ISSUED}
     now = read_outlines(outlines)
     if not manifest or not now:
@@ -161,7 +199,7 @@ def issue(out: Path, revision: str, outlines: Path, note: str = "") -> Issue:
 def _check(out: Path, revision: str, target: Path) -> None:
     if not _NAME.fullmatch(revision):
         mend = "use letters, digits, points and hyphens, such as B or P02"
-        raise _fault("revision-name", revision, "is no name for a revision", mend)
+        raise _fault("revision-name", revision or "--rev", "is no name for a revision", mend)
     taken = {p.name.lower() for p in (out / ISSUED).glob("*") if not p.name.startswith(".")}
     if revision.lower() in taken:
         raise _fault("revision-exists", str(target), "is issued already", "choose another --rev")
@@ -200,14 +238,14 @@ COLUMNS = (
     Column("what", TEXT, 10),
     Column("member", TEXT, 12),
     Column("plate", TEXT, 14),
-    Column("deviation", TENTH, 11),
+    Column("deviation", HUNDREDTH, 11),
     Column("sha256", TEXT, 66),
     Column("bytes", WHOLE, 12),
 )
 
 
 def _write_transmittal(made: Issue, folder: Path) -> None:
-    rows = [tuple(asdict(line).values()) for line in made.files.values()]
+    rows = [rounded_row(asdict(line)) for line in made.files.values()]
     counts = [(what, counted(made)[what]) for what in ("new", "changed", "same", "void")]
     notes = [("revision", made.revision), ("note", made.note), *counts]
     table = Table("Transmittal", COLUMNS, rows, notes)
@@ -236,12 +274,13 @@ def counted(made: Issue) -> dict[str, int]:
 
 @dataclass(frozen=True)
 class Comparison:
-    """A build against the last issue: the outlines of the folder's plates now, and the changes of
-    those built."""
+    """A build against the last issue: the outlines of the folder's plates now, the changes of those
+    built, and all marks there are or were in an issue."""
 
     issue: Issue | None
     outlines: Mapping[str, CutOutline]
     changes: tuple[PlateChange, ...]
+    marks: frozenset[str]
 
 
 def compared(
@@ -249,23 +288,21 @@ def compared(
     kept: Path,
     records: Iterable[MemberRecord],
     statuses: Mapping[str, str],
-    partial: bool,
+    left_out: Collection[str] = (),
     run: Callable = map,
 ) -> Comparison:
     """Compare the plates of a build with the last issue. kept: the file of the folder's outlines;
-    partial: whether plates of members not built stay as they were."""
+    left_out: members whose plates stay as they were."""
     former = last_issue(out)
     records = list(records)
-    built = {record.member for record in records}
     now = {plate.mark: cut_outline(plate) for record in records for plate in record.plates}
     before = issued_outlines(out, former)
-    if partial:
-        before = {mark: plate for mark, plate in before.items() if plate.member in built}
+    before = {mark: plate for mark, plate in before.items() if plate.member not in left_out}
     changes = plate_changes(before, now, statuses, run) if former else ()
-    if partial:
+    if left_out:
         others = read_outlines(kept).values()
-        now |= {plate.mark: plate for plate in others if plate.member not in built}
-    return Comparison(former, now, changes)
+        now |= {plate.mark: plate for plate in others if plate.member in left_out}
+    return Comparison(former, now, changes, frozenset({*now, *issued_marks(out)}))
 
 
 def comparison_files(found: Comparison) -> list[str]:
@@ -274,15 +311,21 @@ def comparison_files(found: Comparison) -> list[str]:
 
 
 def write_comparison(
-    found: Comparison, out: Path, kept: Path, statuses: Mapping[str, str]
+    found: Comparison,
+    out: Path,
+    kept: Path,
+    statuses: Mapping[str, str],
+    refused: Collection[str] = (),
 ) -> list[str]:
-    """Keep the outlines, and write what changed since the last issue; names of the files. Outlines
-    that cannot be kept leave the build as it is; it cannot be issued then."""
+    """Keep the outlines, and write what changed since the last issue; names of the files. refused:
+    members in error, of which there are no files to compare. Outlines that cannot be kept leave
+    the build as it is; it cannot be issued then."""
     with suppress(BendTorsionError):
         write_outlines([found.outlines[mark] for mark in sorted(found.outlines)], kept)
     if found.issue is None:
         return []
     same = unchanged_marks(out, found.issue)
+    same |= {mark for mark, plate in found.outlines.items() if plate.member in refused}
     changes = with_marking(found.changes, same, statuses)
     return write_revision(found.issue.revision, changes, out)
 

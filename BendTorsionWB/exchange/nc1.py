@@ -15,9 +15,9 @@ import numpy as np
 
 from ..core.finding import BendTorsionError, error
 from ..core.geometry.arc_contour import extents, reversed_contour
-from ..core.geometry.arc_fit import FIT_TOLERANCE, fit_runs
+from ..core.geometry.arc_fit import FIT_TOLERANCE, STRAIGHT_SAGITTA
 from ..core.lofting import DevelopedPlate, FoldLine
-from ..core.patterns.cut_contour import cut_contour
+from ..core.patterns.cut_contour import cut_arcs, cut_contour
 from ..core.patterns.forming import fold_direction
 from ..core.patterns.gross import marked_ends
 from ..core.patterns.inner_contours import hole_contour, line_stroke
@@ -28,8 +28,6 @@ from .nc1_text import ascii_text
 MARK_GAP = 5.0
 """Marks stop this far before the contour, mm."""
 DENSITY = 7.85e-6
-STRAIGHT = 0.005
-"""mm; an arc that leaves its chord by less is a line: half of what the file's figures tell."""
 
 
 def plate_nc1(plate: DevelopedPlate, order: str = "", drawing: str = "") -> bytes:
@@ -38,9 +36,9 @@ def plate_nc1(plate: DevelopedPlate, order: str = "", drawing: str = "") -> byte
     Raises BendTorsionError for a contour that leaves the quadrant its header declares.
     """
     cut = cut_contour(plate)
+    outline, run = cut_arcs(plate)
     plate = cut.plate
     green = marked_ends(plate)
-    outline, run = fit_runs(plate.outline, name=plate.mark)
     # A vertex may be off the pattern by the fit's tolerance.
     if outline[:, :2].min() < -FIT_TOLERANCE:
         raise BendTorsionError(
@@ -184,7 +182,7 @@ def _radius(start: np.ndarray, end: np.ndarray, bulge: float) -> float:
     """Signed radius of an arc, positive counter-clockwise; 0 of a line, or of what is one."""
     chord = float(np.hypot(*(end - start)))
     rise = 0.5 * chord * abs(bulge)
-    return chord * (1 + bulge**2) / (4 * bulge) if rise >= STRAIGHT else 0.0
+    return chord * (1 + bulge**2) / (4 * bulge) if rise >= STRAIGHT_SAGITTA else 0.0
 
 
 def _shortened(flat: np.ndarray) -> np.ndarray:

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..core.lofting import DevelopedPlate
 from ..core.patterns.inner_contours import hole_contour, text_field
-from .dxf_bevels import beside_edge, chamfer_text
+from .dxf_bevels import beside_edge, chamfer_text, opening_text
 from .dxf_inner import about, clear_fields
 from .dxf_labels import CHARACTER_WIDTH, Boxes, Room, along, blocks
 from .nc1_text import ascii_text
@@ -78,8 +78,9 @@ def placed_texts(
             label = LineLabel(mark.text, np.array([mark.flat[0], mark.flat[-1]]), 0.35)
             found.append(_beside(room, label, centre))
     for bevel in plate.bevels:
-        if bevel.chamfer:
-            text = f"{bevel.edge} {chamfer_text(bevel, plate.marking_face)}"
+        words = chamfer_text(bevel, plate.marking_face) or opening_text(bevel)
+        if words:
+            text = f"{bevel.edge} {words}"
             boxes = beside_edge(text, plate, bevel, centre, TEXT_HEIGHT)
             if boxes is not None:
                 found.append(_placed(room, text, boxes))

@@ -7,11 +7,11 @@ import hashlib
 import itertools
 import json
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from BendTorsionWB.core.finding import BendTorsionError, Finding, error, warning
+from BendTorsionWB.core.finding import BETWEEN, BendTorsionError, Finding, error, warning
 from BendTorsionWB.exchange.whole_file import not_written, remove_parts, write_whole
 
 MANIFEST = ".bendtorsion.json"
@@ -37,9 +37,11 @@ def check_folder(out: Path) -> None:
     existing = next(p for p in (out, *out.absolute().parents) if os.path.exists(p))
     if existing.is_dir() and os.access(existing, os.W_OK | os.X_OK):
         return
-    problem = "cannot be written to" if existing.is_dir() else "is a file, not a folder"
+    name = str(existing)
     raise BendTorsionError(
-        error("file-not-written", str(existing), problem, "choose another folder for --out")
+        error("file-not-written", name, "cannot be written to", "choose another folder for --out")
+        if existing.is_dir()
+        else error("folder-is-file", name, "is a file, not a folder", "name a folder as --out")
     )
 
 
@@ -124,12 +126,33 @@ def _read(out: Path) -> dict:
     return former if isinstance(former, dict) else {}
 
 
-def write_manifest(out: Path, files: Mapping[str, OwnFile], project: str = "") -> None:
-    """Keep the record of a project's files. Raises BendTorsionError."""
+def outdated_members(out: Path) -> list[str]:
+    """Members that changed since the files of theirs were made that lie in the folder."""
+    found = _read(out).get("outdated")
+    return [str(name) for name in found] if isinstance(found, list) else []
+
+
+def standing_errors(out: Path) -> dict[str, str]:
+    """What the last build found in error, by object (a member, a plate, a file), in words."""
+    found = _read(out).get("errors")
+    return {str(k): str(v) for k, v in found.items()} if isinstance(found, dict) else {}
+
+
+def write_manifest(
+    out: Path,
+    files: Mapping[str, OwnFile],
+    project: str = "",
+    outdated: Sequence[str] = (),
+    errors: Mapping[str, str] | None = None,
+) -> None:
+    """Keep the record of a project's files. outdated: members these are no longer of; errors: as
+    of `standing_errors`. Raises BendTorsionError."""
     lines = ",\n".join(
         f"{json.dumps(name)}: {json.dumps(vars(files[name]))}" for name in sorted(files)
     )
-    text = f'{{"project": {json.dumps(project)}, "files": {{\n{lines}\n}}}}\n'
+    told = f'"outdated": {json.dumps(list(outdated))}, ' if outdated else ""
+    told += f'"errors": {json.dumps(dict(errors))}, ' if errors else ""
+    text = f'{{"project": {json.dumps(project)}, {told}"files": {{\n{lines}\n}}}}\n'
     write_whole(out / MANIFEST, text.encode())
 
 
@@ -171,7 +194,9 @@ class OutputFolder:
 
     def __init__(self, out: Path, former: dict[str, OwnFile], project: str = ""):
         self.out, self.former, self.now, self.project = out, former, {}, project
+        self.errors = standing_errors(out)
         self._noted = False
+        self._told: list[Finding] = []
         for folder in {out, out / ".cache", *((out / name).parent for name in former)}:
             remove_parts(folder)
 
@@ -208,7 +233,7 @@ class OutputFolder:
             self.out.mkdir(parents=True, exist_ok=True)
             if not self._noted and _read(self.out).get("project") != self.project:
                 # Whose files they are is known from the first one on.
-                write_manifest(self.out, self.former, self.project)
+                write_manifest(self.out, self.former, self.project, errors=self.errors)
             # A line that was cut short must not swallow the next one.
             start = "" if self._noted else "\n"
             with open(self.out / JOURNAL, "a", encoding="utf-8", newline="\n") as stream:
@@ -218,25 +243,43 @@ class OutputFolder:
             raise BendTorsionError(not_written(self.out / name, failure)) from failure
 
     def save_by_hand(self, name: str) -> None:
-        """Set a document aside that may hold work by hand, before another takes its place, beside
-        those set aside before."""
+        """Set a document aside that may hold work by hand, before another takes its place or none
+        does, beside those set aside before; `close` tells."""
         own = self.former.get(name)
         place = self.out / name
         by_hand = own is None or own.made_from.startswith(UPDATED)
         if place.exists() and (by_hand or file_hash(place) != own.sha256):
-            os.replace(place, _free(place))
+            free = _free(place)
+            os.replace(place, free)
+            self._told.append(
+                warning(
+                    "document-set-aside",
+                    name,
+                    f"may hold work by hand and is kept as {free.name}",
+                    "copy from it what is still needed, then delete it",
+                )
+            )
 
-    def close(self, built: set[str] | None) -> tuple[Finding, ...]:
-        """Remove what is no longer made, and keep the record. built: the members of a partial
-        build; files of others stay. Documents changed by hand stay, with a warning."""
-        outdated = []
+    def close(
+        self,
+        left_out: Collection[str] = (),
+        outdated: Sequence[str] = (),
+        refused: Collection[str] = (),
+        findings: Iterable[Finding] = (),
+    ) -> tuple[Finding, ...]:
+        """Remove what is no longer made, and keep the record. left_out: members whose files stay as
+        they are; outdated: those of them that changed since; refused: members in error, of which
+        nothing is written; findings: of the build. Files changed by hand stay, documents brought up
+        by an update are set aside, both with a warning; so is a member in error whose former files
+        are removed."""
+        found, lost = [], []
         for name, own in self.former.items():
             if name in self.now:
                 continue
-            if built is not None and own.member and own.member not in built:
+            if own.member in left_out:
                 self.now[name] = own
             elif not own.member and file_hash(self.out / name) not in ("", own.sha256):
-                outdated.append(
+                found.append(
                     warning(
                         "file-outdated",
                         name,
@@ -244,11 +287,35 @@ class OutputFolder:
                         "build it again, or move it away",
                     )
                 )
+            elif name.endswith(".FCStd") and own.made_from.startswith(UPDATED):
+                self.save_by_hand(name)
             else:
                 remove(self.out, [name])
-        write_manifest(self.out, self.now, self.project)
+                lost += [own.member] if own.member in refused else []
+        if lost:
+            found.append(
+                warning(
+                    "file-removed",
+                    BETWEEN.join(dict.fromkeys(lost)),
+                    "in error: the drawings and cut files of the build before were removed",
+                    "mend the errors and build again; what was issued stays in its issue",
+                    value=float(len(lost)),
+                )
+            )
+        errors = {key: told for key, told in self.errors.items() if _is_of(key, left_out)}
+        errors |= {f.object: f.message for f in findings if f.severity == "error"}
+        write_manifest(self.out, self.now, self.project, outdated, errors)
         remove(self.out, [JOURNAL])
-        return tuple(outdated)
+        return (*self._told, *found)
+
+
+def _is_of(objects: str, members: Collection[str]) -> bool:
+    """Whether the objects of a finding are of any of these members, or plates of theirs."""
+    return any(
+        own == name or own.startswith(f"{name}-")
+        for own in objects.split(BETWEEN)
+        for name in members
+    )
 
 
 def _free(place: Path) -> Path:

@@ -13,6 +13,7 @@ from contextvars import ContextVar
 from pathlib import Path
 
 from BendTorsionWB.core.finding import BendTorsionError, error
+from BendTorsionWB.exchange.file_kind import refuse_loop
 
 _allowed = ContextVar("files outside the schedule's folder are allowed", default=False)
 
@@ -29,8 +30,9 @@ def outside_allowed(allowed: bool = True) -> Iterator[None]:
 
 def file_of(folder: str | os.PathLike, name: str, object: str) -> Path:
     """The path of a file named by a schedule; raises BendTorsionError for one outside its folder,
-    also by a link, and for a device."""
+    also by a link, for a link that leads back to itself, and for a device."""
     path = Path(folder) / name
+    refuse_loop(path, object)
     try:
         inside = Path(folder or ".").resolve() in path.resolve().parents
     except (OSError, ValueError, RuntimeError):

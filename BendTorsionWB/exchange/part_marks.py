@@ -66,6 +66,11 @@ def keep_part_marks(folder: Path, marks: PartMarks) -> None:
             write_changed(folder / FILE, marks.kept.encode())
 
 
+def built_from(folder: Path) -> dict[str, str]:
+    """The keys of what members came from in the last whole build, by name."""
+    return {name: own[0] for name, own in _read(folder / FILE).items()}
+
+
 def _read(path: Path) -> dict[str, list]:
     """Of each member its key, then part, quantity and opposite hand of its plates; what is damaged
     is as good as absent."""

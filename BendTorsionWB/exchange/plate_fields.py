@@ -23,10 +23,11 @@ def panels(plate: DevelopedPlate) -> list[tuple[np.ndarray, np.ndarray]]:
 
 def centre_of(plate: DevelopedPlate) -> np.ndarray:
     """A point amid the pattern: between the middles of the lines or folds before and behind half
-    way along +s."""
+    way along +s; of a flat part the middle of its size."""
     marks = sorted((*plate.lines, *plate.folds), key=lambda mark: mark.s)
     if not marks:
-        return np.zeros(2)
+        points = np.concatenate(plate.outline)
+        return 0.5 * (points.min(axis=0) + points.max(axis=0))
     half = 0.5 * (plate.s_start + plate.s_end)
     before = [mark for mark in marks if mark.s < half] or marks[:1]
     behind = [mark for mark in marks if mark.s >= half] or marks[-1:]

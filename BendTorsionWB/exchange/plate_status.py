@@ -3,18 +3,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import difflib
+from collections.abc import Collection, Iterable
 from pathlib import Path
 
-from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.core.finding import BendTorsionError, Finding
 from BendTorsionWB.exchange.csv_folder import read_csv
 from BendTorsionWB.exchange.revision import STATUSES
+from BendTorsionWB.exchange.schedule_rows import StatusRow
 from BendTorsionWB.exchange.schedule_workbook import Place
 
+PROPOSED = 50
+"""Marks that are no plate's are told with the nearest one up to this many."""
 
-def read_statuses(path: str | Path) -> Mapping[str, str]:
-    """Status by mark from a CSV file with the columns plate and status; raises BendTorsionError
-    with one finding per bad row."""
+
+def read_statuses(path: str | Path) -> tuple[StatusRow, ...]:
+    """The rows of a CSV file with the columns plate and status; raises BendTorsionError with one
+    finding per bad row."""
     path = Path(path)
     headings, *rows = read_csv(path) or [[]]
     names = [heading.strip().lower() for heading in headings]
@@ -29,17 +34,55 @@ def read_statuses(path: str | Path) -> Mapping[str, str]:
         if not mark and not status:
             continue
         place = Place(path.name, "", number)
+        if not mark:
+            faults.append(_unnamed(place))
         if status not in STATUSES:
             words = ", ".join(STATUSES)
             fields = {"value": status, "limit": words}
             mend = f"use one of {words}"
             faults.append(place.error("status", "unknown-value", "unknown status", mend, **fields))
-        elif mark in found:
+        elif mark and mark in found:
             mend = "delete one of the two rows"
             faults.append(
                 place.error("plate", "duplicate", f"{mark} is there twice", mend, value=mark)
             )
-        found[mark] = status
+        found[mark] = StatusRow(place, mark, status)
     if faults:
         raise BendTorsionError(faults)
-    return found
+    return tuple(found.values())
+
+
+def _unnamed(place: Place) -> Finding:
+    mend = "write its mark, or delete the row"
+    return place.error("plate", "value-missing", "no plate is named", mend)
+
+
+def status_findings(
+    rows: Iterable[StatusRow], marks: Collection[str], unseen: Collection[str]
+) -> tuple[Finding, ...]:
+    """An error for each row whose plate there is not: it would guard nothing. marks: of the plates
+    there are or were issued; unseen: members of which nothing is known, whose plates pass."""
+    starts = tuple(f"{name}-" for name in unseen)
+    unknown = [row for row in rows if row.name not in marks and not row.name.startswith(starts)]
+    by_plain = {_plain(mark): mark for mark in sorted(marks)} if unknown else {}
+    found = []
+    for number, row in enumerate(unknown):
+        some = list(by_plain) if number < PROPOSED else []
+        near = difflib.get_close_matches(_plain(row.name), some, 1)
+        found.append(
+            row.place.error(
+                "plate",
+                "plate-unknown",
+                "there is no such plate in this build or in an issue",
+                f"write {by_plain[near[0]]} if that is meant, or delete the row"
+                if near
+                else "write the mark as it is on the plate, or delete the row",
+                value=row.name,
+            )
+        )
+    return tuple(found)
+
+
+def _plain(mark: str) -> str:
+    """A mark as it compares when it was typed by hand."""
+    return mark.casefold().replace("_", "-").replace(" ", "")

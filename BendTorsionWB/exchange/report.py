@@ -256,8 +256,9 @@ def summary_lines(records: Sequence[MemberRecord], findings: Iterable[Finding]) 
     limits = [f"{limit:.{digits}f}" for _, limit, digits in FIGURES]
     lines.append(_table_row(["limits", "", "", "", "", *limits, ""]))
     counts = [
-        f"{sum(finding.severity == severity for finding in known)} {severity}s"
+        f"{count} {severity}{'' if count == 1 else 's'}"
         for severity in ("error", "warning", "note")
+        for count in [sum(finding.severity == severity for finding in known)]
     ]
     lines.append(f"{good} of {len(records)} members within the limits; {', '.join(counts)}")
     if any("*" in signs(figures(record)) for record in records):

@@ -23,10 +23,10 @@ import numpy
 import scipy
 
 from BendTorsionWB import __version__
+from BendTorsionWB.core.collection import without_collection
 from BendTorsionWB.core.detailing import DetailedMember
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.memo import content_hash
-from BendTorsionWB.exchange.collection import without_collection
 from BendTorsionWB.exchange.whole_file import write_whole
 
 FOLDER = ".cache"
@@ -99,16 +99,16 @@ class ResultCache:
         except (LookupError, TypeError, ValueError, MemoryError):
             return None
 
-    def keep(self, key: str, result: DetailedMember) -> None:
-        """Keep a result. A folder that cannot be written to costs time at the next build only."""
-        self._keep(key, SUFFIX, result)
+    def keep(self, key: str, result: DetailedMember, packed: bytes = b"") -> None:
+        """Keep a result; packed: as a worker packed it. A folder that cannot be written to costs
+        time at the next build only."""
+        self._keep(key, SUFFIX, packed or pickle.dumps(result, 5))
 
     def keep_plain(self, key: str, values: tuple) -> None:
         """Keep plain values, as `keep`."""
-        self._keep(key, PLAIN_SUFFIX, values)
+        self._keep(key, PLAIN_SUFFIX, pickle.dumps(values, 5))
 
-    def _keep(self, key: str, suffix: str, result: object) -> None:
-        body = pickle.dumps(result, 5)
+    def _keep(self, key: str, suffix: str, body: bytes) -> None:
         try:
             write_whole(self._path(key, suffix), _stamp(key, body) + b"\n" + body)
         except BendTorsionError:

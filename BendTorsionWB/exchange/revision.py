@@ -15,7 +15,7 @@ from BendTorsionWB.core.finding import Finding, error, warning
 from BendTorsionWB.core.patterns.outline_change import SAME, deviation, trim
 from BendTorsionWB.exchange.plate_outlines import CutOutline
 from BendTorsionWB.exchange.whole_file import write_changed
-from BendTorsionWB.exchange.xlsx_file import FINE, TENTH, TEXT, Column, Table, xlsx_bytes
+from BendTorsionWB.exchange.xlsx_file import HUNDREDTH, TEXT, Column, Table, xlsx_bytes
 
 STATUSES = ("cut", "trim", "scrap")
 """Of a plate in the shop: cut, so that it must not change, or its trimming or scrapping agreed."""
@@ -150,46 +150,73 @@ def _inside_none(hole, new: CutOutline) -> bool:
 
 
 def cut_findings(changes: tuple[PlateChange, ...]) -> tuple[Finding, ...]:
-    """An error for each plate marked `cut` that would change, a warning where that is agreed to or
-    where it can be used all the same."""
-    found = []
-    for change in changes:
-        if not change.status:
-            continue
-        agreed = change.status != "cut" or change.verdict.startswith("use as it is")
-        make = warning if agreed else error
-        verb = change.verdict.partition(":")[0].split(" ")[0]
-        found.append(
-            make(
-                "cut-plate-changes",
-                change.mark,
-                f"is cut already and would be {change.what}: {change.verdict}",
-                f"leave the plate as issued, or give it the status {verb} when that is agreed to"
-                if not agreed
-                else "tell the shop",
-                value=None if change.deviation is None else float(change.deviation),
-                limit=SAME,
-                unit="mm",
-            )
+    """An error for each plate marked `cut` that would change, or `trim` that cannot be trimmed; a
+    warning where its change is agreed to or where it can be used all the same."""
+    return tuple(_cut_finding(change) for change in changes if change.status)
+
+
+def _cut_finding(change: PlateChange) -> Finding:
+    if change.what == "new":
+        return error(
+            "cut-plate-new",
+            change.mark,
+            f"has the status {change.status}, but the last issue holds no such plate",
+            "correct its mark, or take its row away until the plate is issued",
         )
-    return tuple(found)
+    scrap = change.verdict.startswith("scrap")
+    usable = change.verdict.startswith("use as it is")
+    agreed = usable or change.status == "scrap" or (change.status == "trim" and not scrap)
+    # A thickness, an opening or the end of a plate is no distance of outlines.
+    far = change.deviation is not None and change.deviation > SAME
+    figures = {"value": float(change.deviation), "limit": SAME, "unit": "mm"} if far else {}
+    if agreed:
+        return warning(
+            "cut-plate-changes",
+            change.mark,
+            f"is cut already and would be {change.what}: {change.verdict}",
+            "tell the shop",
+            **figures,
+        )
+    if change.status == "trim":
+        return error(
+            "cut-plate-no-trim",
+            change.mark,
+            f"has the status trim, but cannot be trimmed: {change.verdict}",
+            "leave the plate as issued, or give it the status scrap when that is agreed to",
+            **figures,
+        )
+    return error(
+        "cut-plate-changes",
+        change.mark,
+        f"is cut already and would be {change.what}: {change.verdict}",
+        f"leave the plate as issued, or give it the status {'scrap' if scrap else 'trim'} when "
+        "that is agreed to",
+        **figures,
+    )
 
 
 COLUMNS = (
     Column("plate", TEXT, 14),
     Column("what", TEXT, 10),
-    Column("deviation", FINE, 12),
-    Column("length_change", TENTH, 14),
-    Column("width_change", TENTH, 14),
+    Column("deviation", HUNDREDTH, 12),
+    Column("length_change", HUNDREDTH, 14),
+    Column("width_change", HUNDREDTH, 14),
     Column("note", TEXT, 30),
     Column("status", TEXT, 9),
     Column("verdict", TEXT, 44),
 )
 
 
+def rounded_row(fields: Mapping[str, object]) -> tuple:
+    """The fields of a line of a table in their order, lengths to 0.01 mm: outlines are the same
+    within more than that."""
+    # A rounded -0.004 is no less than nothing.
+    return tuple(round(v, 2) + 0.0 if isinstance(v, float) else v for v in fields.values())
+
+
 def write_revision(since: str, changes: tuple[PlateChange, ...], out: Path) -> list[str]:
     """Write revision.xlsx and revision.json; their names. since: the issue compared with."""
-    rows = [tuple(asdict(change).values()) for change in changes]
+    rows = [rounded_row(asdict(change)) for change in changes]
     counts = {what: sum(c.what == what for c in changes) for what in WHAT}
     notes = [("since", since), *counts.items()]
     table = Table("Plates", COLUMNS, rows, notes)

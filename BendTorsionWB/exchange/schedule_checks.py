@@ -285,8 +285,13 @@ def _segments(name, segments, axes, faults):
         if number in seen and number is not None:
             message = f"segment {number} of {name} is already in row {seen[number].place.row}"
             mend = "number them 1, 2, 3 in order"
+            if number == 1:
+                mend += ", or give a second member another name"
             _report(faults, record, "segment", "duplicate", message, mend)
             in_order = False
+            if number == 1:
+                # A second member of the name: the rest of it says nothing of this one's segments.
+                break
         elif number is not None and number != wanted and in_order:
             message = f"segments of {name} are not numbered 1, 2, 3 in order"
             mend = f"write {wanted}"

@@ -104,6 +104,8 @@ COLUMN_OF_PART_CODE = {
     "backing-clash": "snipe",
     "edge-row-unused": "seam",
     "root-gap-differs": "prep",
+    "node-root-gap": "prep",
+    "weld-access": "prep",
     "gap-too-wide": "prep",
     "section-gap": "prep",
     "plates-overlap": "prep",
@@ -312,12 +314,14 @@ def located(schedule: Schedule, row: MemberRow, finding: Finding) -> Finding:
 
 
 def at_rows(schedule: Schedule, findings: Iterable[Finding]) -> tuple[Finding, ...]:
-    """Findings about members with the sheet, row and column in place of `edge 3` and the like."""
+    """Findings about members and their plates with the sheet, row and column in place of `edge 3`
+    and the like."""
     rows = {row.name: row for row in schedule.members}
     told = []
     for finding in findings:
-        if finding.object in rows and _PART.fullmatch(finding.position):
-            place = located(schedule, rows[finding.object], finding).position
+        row = rows.get(finding.object) or rows.get(finding.object.rpartition("-")[0])
+        if row is not None and _PART.fullmatch(finding.position):
+            place = located(schedule, row, finding).position
             finding = replace(finding, position=place)
         told.append(finding)
     return tuple(told)

@@ -25,6 +25,14 @@ MOST_CELLS = 2_000_000
 """Cells of the rectangle a sheet may span."""
 
 
+_WRITTEN = {
+    ("Summary", "Plates", "Checks"): "a results file",
+    ("Transmittal",): "the transmittal of a revision",
+    ("Changes",): "a list of changes",
+}
+"""Sheets that tell a workbook or folder written by this program from a schedule."""
+
+
 @dataclass(frozen=True)
 class Place:
     """A row of a sheet of a file."""
@@ -116,6 +124,7 @@ def read_records(path) -> tuple[dict[str, list[Record] | None], list[tuple[Place
         if known != sheet.title and known not in workbook.sheetnames:
             hollow[known] = hollow.pop(sheet.title, {})
             sheet.title = known
+    _refuse_written(path, workbook.sheetnames)
     faults: list[tuple[Place, Finding]] = []
     present = [sheet.title for sheet in workbook.worksheets]
     renamed = set()
@@ -141,6 +150,22 @@ def read_records(path) -> tuple[dict[str, list[Record] | None], list[tuple[Place
             message = f"sheet {title} is missing"
             faults.append((place, place.error("", "sheet-missing", message, mend)))
     return records, faults
+
+
+def _refuse_written(path: Path, names: list[str]) -> None:
+    """Raises BendTorsionError for a workbook that tells results: it has their sheets and not the
+    one every schedule has."""
+    for sheets, kind in _WRITTEN.items():
+        if "Members" not in names and set(sheets) <= set(names):
+            raise BendTorsionError(
+                Place(path.name, "").error(
+                    "",
+                    "schedule-is-results",
+                    f"this is {kind}, not a schedule",
+                    "name the schedule it was made from",
+                    value=", ".join(sheets),
+                )
+            )
 
 
 def _read_sheet(sheet, place, columns, hollow, faults) -> list[Record] | None:

@@ -14,6 +14,8 @@ from pathlib import Path
 from ..core.finding import BendTorsionError, Finding, error
 
 LONGEST_STEM = 40
+_TRIED = 1_000_000
+"""Bytes written to learn what stops a file."""
 _PART = re.compile(r"\..*\.[0-9]+\.part(\..*)?", re.DOTALL)
 _MENDS = {
     errno.EACCES: "close the program that holds it open, or allow writing to its folder",
@@ -88,6 +90,8 @@ def write_changed(path: str | os.PathLike, content: bytes) -> None:
 
 def not_written(path: Path, failure: OSError) -> Finding:
     """The finding for what could not be written, with its mend."""
+    if failure.errno is None:
+        failure = _told_by_system(path) or failure
     mend = _MENDS.get(failure.errno, "check that the folder exists and can be written to")
     return error(
         "file-not-written",
@@ -95,6 +99,20 @@ def not_written(path: Path, failure: OSError) -> Finding:
         f"cannot be written: {failure.strerror or failure}",
         mend,
     )
+
+
+def _told_by_system(path: Path) -> OSError | None:
+    """Why nothing can be written there: writers of other libraries only say that they cannot."""
+    part = part_beside(path)
+    try:
+        # Beyond what there is of it: that takes up the end of a full disk.
+        with open(part, "ab") as stream:
+            stream.write(bytes(_TRIED))
+    except OSError as failure:
+        return failure
+    finally:
+        _remove(part)
+    return None
 
 
 def _remove(part: Path) -> None:

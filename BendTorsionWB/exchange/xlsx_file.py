@@ -19,10 +19,11 @@ from .zip_parts import Packed, packed, zip_bytes
 TEXT = "@"
 WHOLE = "0"
 TENTH = "0.0"
+HUNDREDTH = "0.00"
 FINE = "0.0000"
 STRAIN = "0.00E+00"
 
-_FORMATS = (WHOLE, TENTH, FINE, STRAIN)
+_FORMATS = (WHOLE, TENTH, FINE, STRAIN, HUNDREDTH)
 _A3, _A4 = 8, 9  # paper sizes as numbered in the format
 _WIDEST_ON_A4 = 200.0  # characters; wider tables are too small to read there
 _WIDEST_UPRIGHT = 100.0  # characters that are as large on A4 upright, with half as many pages

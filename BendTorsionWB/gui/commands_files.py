@@ -29,9 +29,12 @@ def import_shapes(document) -> None:
     path = ask.open_file(title, translate("BendTorsion", GEOMETRY))
     if path is None:
         return
-    document = document or FreeCAD.newDocument(Path(path).stem)
-    with progress(title), macro.undo_step(document, title):
-        macro.on_files(document, "import_shapes", document, path)
+    with progress(title):
+        if document is None:
+            macro.on_files(None, "import_shapes", None, path)
+        else:
+            with macro.undo_step(document, title):
+                macro.on_files(document, "import_shapes", document, path)
     FreeCADGui.SendMsgToActiveView("ViewFit")
 
 
@@ -79,7 +82,10 @@ def write_schedule(document) -> None:
     """The document as a schedule; what a schedule cannot say is told."""
     title = translate("BendTorsion", "Write schedule")
     if not any(getattr(obj, "BT_Type", "") == "Member" for obj in document.Objects):
-        raise selection.refusal("the document has no member", "make one, or import a schedule")
+        raise selection.refusal(
+            QT_TRANSLATE_NOOP("BendTorsion", "the document has no member"),
+            QT_TRANSLATE_NOOP("BendTorsion", "make one, or import a schedule"),
+        )
     path = ask.save_file(title, translate("BendTorsion", WORKBOOKS), ".xlsx")
     if path is None:
         return

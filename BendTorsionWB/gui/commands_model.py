@@ -3,11 +3,14 @@
 
 from __future__ import annotations
 
+import json
+
 import FreeCAD
 import FreeCADGui
 
-from BendTorsionWB.gui import macro, selection
+from BendTorsionWB.gui import ask, macro, selection
 from BendTorsionWB.gui.command import Command
+from BendTorsionWB.gui.commands_plates import MEMBERS, make_all
 from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.progress import PATIENCE, progress
 
@@ -21,8 +24,14 @@ def members_from_selection(document) -> None:
 
     surface, curves = selection.surface_and_curves(selection.picked())
     choice = section_dialog.ask(FreeCADGui.getMainWindow(), next_number(document), len(curves))
-    if choice is not None:
-        make_members(document, surface, curves, choice)
+    if choice is None:
+        return
+    members = make_members(document, surface, curves, choice)
+    found = [text for one in members for text in (*one.Axis.Findings, *one.Findings)]
+    count = sum(json.loads(text)["severity"] == "warning" for text in dict.fromkeys(found))
+    if count:
+        words = translate("BendTorsion", "Warnings: {count}, listed by Findings")
+        ask.tell(words.format(count=count))
 
 
 def make_members(document, surface, curves, choice) -> list:
@@ -35,7 +44,9 @@ def make_members(document, surface, curves, choice) -> list:
     with progress(title, PATIENCE) as report, macro.undo_step(document, title):
         before = len(document.Objects)
         if isinstance(surface, tuple):
-            surface = macro.make("make_surface", document, "Surface", face=surface)
+            surface = macro.make(
+                "make_surface", document, free_label(document, "Surface"), face=surface
+            )
         section = macro.make(
             "make_section",
             document,
@@ -89,15 +100,26 @@ def surface(document) -> None:
     faces, surfaces = given.faces, given.of_kind("Surface")
     name = translate("BendTorsion", "Surface")
     if surfaces and not faces:
-        one = selection.only(surfaces, "surfaces", "select one surface")
+        one = selection.only(
+            surfaces,
+            QT_TRANSLATE_NOOP("BendTorsion", "surfaces"),
+            QT_TRANSLATE_NOOP("BendTorsion", "select one surface"),
+        )
         SurfacePanel(Preview(document, name, [one])).show()
         return
     if given != selection.Picked() and not faces:
-        raise selection.refusal("no face is selected", "select faces of one shape, or nothing")
+        raise selection.refusal(
+            QT_TRANSLATE_NOOP("BendTorsion", "no face is selected"),
+            QT_TRANSLATE_NOOP("BendTorsion", "select faces of one shape, or nothing"),
+        )
     if len(faces) > 1:
         raise selection.refusal(
-            f"{len(faces)} shapes are selected, one is needed",
-            "select faces of one shape, or nothing for a dome by its sizes",
+            translate("BendTorsion", "{count} shapes are selected, one is needed").format(
+                count=len(faces)
+            ),
+            QT_TRANSLATE_NOOP(
+                "BendTorsion", "select faces of one shape, or nothing for a dome by its sizes"
+            ),
         )
     label = free_label(document, "Surface")
     source = {"face": faces[0]} if faces else {}
@@ -110,21 +132,34 @@ def surface(document) -> None:
 
 def axis(document) -> None:
     """Axes along the picked curves, through the picked points, or where a picked plane cuts the
-    surface."""
+    surface; the axis picked when nothing else is."""
+    from BendTorsionWB.gui.axis_ways import MEND, axis_ways
     from BendTorsionWB.gui.panels_model import AxisPanel
 
     given = selection.picked()
-    surfaces = given.of_kind("Surface")
+    name = translate("BendTorsion", "Axis")
+    surfaces, axes = given.of_kind("Surface"), given.of_kind("Axis")
     sources, faces = list(given.curves), list(given.faces)
+    if axes and given == selection.Picked(ours=tuple(axes)):
+        one = selection.only(
+            axes,
+            QT_TRANSLATE_NOOP("BendTorsion", "axes"),
+            QT_TRANSLATE_NOOP("BendTorsion", "select one axis"),
+        )
+        AxisPanel(Preview(document, name, [one])).show()
+        return
     if not surfaces and len(faces) == 1:
         target = faces.pop()
     elif len(surfaces) == 1:
         target = surfaces[0]
     else:
         raise selection.refusal(
-            f"{len(surfaces) or len(faces)} surfaces are selected, one is needed", AXIS_MEND
+            translate("BendTorsion", "{count} surfaces are selected, one is needed").format(
+                count=len(surfaces) or len(faces)
+            ),
+            MEND,
         )
-    ways = _axis_ways(target, sources, given.points, faces)
+    ways = axis_ways(target, sources, given.points, faces)
     label = free_label(document, "Axis")
 
     def create(make):
@@ -136,53 +171,7 @@ def axis(document) -> None:
             for k, way in enumerate(ways)
         ]
 
-    AxisPanel(Preview(document, translate("BendTorsion", "Axis"), create=create)).show()
-
-
-AXIS_MEND = "select one face or surface, then curves, points or a plane face that cuts the surface"
-
-
-def _axis_ways(target, curves, points, faces) -> list[dict]:
-    """Arguments of make_axis: one axis per curve, one through the points, or one per plane."""
-    if curves:
-        return [{"edge": curve} for curve in curves]
-    if len(points) > 1:
-        return [{"points": [tuple(point) for point in points], "order": "nearest"}]
-    planes = [_plane_of(face) for face in faces]
-    if planes and all(planes):
-        return [{"rule": _section_rule(target, *plane)} for plane in planes]
-    raise selection.refusal("no curve, no two points and no plane are selected", AXIS_MEND)
-
-
-def _plane_of(face) -> tuple | None:
-    """A point and the normal of a picked plane face."""
-    obj, names = face
-    shape = obj.Shape if not names or isinstance(names, list) else obj.Shape.getElement(names)
-    faces = shape.Faces
-    if len(faces) != 1 or faces[0].Surface.TypeId != "Part::GeomPlane":
-        return None
-    return tuple(faces[0].CenterOfMass), tuple(faces[0].normalAt(0.0, 0.0))
-
-
-def _section_rule(target, origin, normal) -> dict:
-    """The plane section of a surface, between the ends of the longest curve the kernel finds."""
-    obj, names = target if isinstance(target, tuple) else (target, "")
-    shape = obj.Shape.getElement(names) if isinstance(names, str) and names else obj.Shape
-    direction = FreeCAD.Vector(*normal)
-    wires = shape.slice(direction, direction.dot(FreeCAD.Vector(*origin)))
-    if not wires:
-        raise selection.refusal("the plane does not cut the surface", "move the plane")
-    wire = max(wires, key=lambda item: item.Length)
-    edges = wire.OrderedEdges
-    start = edges[0].valueAt(edges[0].FirstParameter)
-    ends = [start, *(vertex.Point for vertex in wire.OrderedVertexes)]
-    return {
-        "kind": "plane section",
-        "origin": tuple(origin),
-        "normal": tuple(normal),
-        "start": tuple(ends[1]),
-        "end": tuple(ends[-1]),
-    }
+    AxisPanel(Preview(document, name, create=create)).show()
 
 
 def section(document) -> None:
@@ -192,7 +181,11 @@ def section(document) -> None:
     sections = selection.picked().of_kind("SectionSpec")
     name = translate("BendTorsion", "Section")
     if sections:
-        one = selection.only(sections, "sections", "select one section")
+        one = selection.only(
+            sections,
+            QT_TRANSLATE_NOOP("BendTorsion", "sections"),
+            QT_TRANSLATE_NOOP("BendTorsion", "select one section"),
+        )
         SectionPanel(Preview(document, name, [one])).show()
         return
     label = free_label(document, "Section")
@@ -201,46 +194,55 @@ def section(document) -> None:
 
 
 def member(document) -> None:
-    """The selected member, or a new one along the selected axis with the selected sections."""
+    """The selected member, or a new one along each selected axis with the selected sections."""
     from BendTorsionWB.gui.member_panel import MemberPanel
 
     given = selection.picked()
     axes, sections = given.of_kind("Axis"), given.of_kind("SectionSpec")
     name = translate("BendTorsion", "Member")
     if not axes:
-        mend = "select an axis and a section, or a member to edit"
-        one = selection.only(selection.of_member(given, "Member", mend), "members", mend)
+        mend = QT_TRANSLATE_NOOP("BendTorsion", "select an axis and a section, or a member to edit")
+        one = selection.only(selection.of_member(given, "Member", mend), MEMBERS, mend)
         MemberPanel(Preview(document, name, [one])).show()
         return
     if not sections:
         sections = [obj for obj in document.Objects if getattr(obj, "BT_Type", "") == "SectionSpec"]
         sections = sections[-1:]
     if not sections:
-        raise selection.refusal("there is no section", "make a section first")
-    mark = free_marks(document, 1)[0]
+        raise selection.refusal(
+            QT_TRANSLATE_NOOP("BendTorsion", "there is no section"),
+            QT_TRANSLATE_NOOP("BendTorsion", "make a section first"),
+        )
+    marks = free_marks(document, len(axes))
 
     def create(make):
         # Sections share the length evenly until their cuts are moved.
         segments = [{}, *({"cut_ratio": k / len(sections)} for k in range(1, len(sections)))]
-        return [make("make_member", document, mark, axes[0], sections, segments)]
+        return [
+            make("make_member", document, mark, axis, sections, segments)
+            for mark, axis in zip(marks, axes, strict=True)
+        ]
 
+    if len(axes) > 1:
+        make_all(document, name, lambda: create(macro.make))
+        return
     MemberPanel(Preview(document, name, create=create)).show()
 
 
 def cut_point(document) -> None:
     """A cut where the selected member was clicked; in its middle when it was picked in the tree."""
-    from BendTorsionWB.gui.member_panel import MemberPanel
+    from BendTorsionWB.gui.member_panel import MemberPanel, place_on
 
-    mend = "click a member where the cut is to be"
+    mend = QT_TRANSLATE_NOOP("BendTorsion", "click a member where the cut is to be")
     given = selection.picked()
-    target = selection.only(selection.of_member(given, "Member", mend), "members", mend)
+    target = selection.only(selection.of_member(given, "Member", mend), MEMBERS, mend)
     points = [
         tuple(point)
         for item in FreeCADGui.Selection.getSelectionEx()
         for point in item.PickedPoints
         if item.SubElementNames
     ]
-    place = points[0] if points else 0.5 * target.Length.Value
+    place = place_on(target, points[0]) if points else _middle(target)
     numbers = []
 
     def create(make):
@@ -251,11 +253,23 @@ def cut_point(document) -> None:
     MemberPanel(preview, numbers[0]).show()
 
 
+def _middle(member) -> float:
+    """The middle of a member, to a tenth of a mm; raises BendTorsionError for one in error."""
+    from BendTorsionWB.objects.proxy import check_linked
+
+    check_linked(member)
+    return round(0.5 * member.Length.Value, 1)
+
+
 def alignment(document) -> None:
     """The position of the selected members on their axes."""
     from BendTorsionWB.gui.panels_model import AlignmentPanel
 
-    members = selection.of_member(selection.picked(), "Member", "select members or their plates")
+    members = selection.of_member(
+        selection.picked(),
+        "Member",
+        QT_TRANSLATE_NOOP("BendTorsion", "select members or their plates"),
+    )
     AlignmentPanel(Preview(document, translate("BendTorsion", "Alignment"), members)).show()
 
 
@@ -297,11 +311,11 @@ COMMANDS = (
         QT_TRANSLATE_NOOP(
             "BendTorsion_Axis",
             "Select a surface and the edges, wires, sketches or points the member runs along, or a"
-            " plane face that cuts the surface",
+            " plane face that cuts the surface; or the axis to edit",
         ),
         "B, A",
         axis,
-        ("Face", "Edge", "Vertex", "Surface"),
+        ("Face", "Edge", "Vertex", "Surface", "Axis"),
     ),
     Command(
         "Section",
@@ -316,7 +330,7 @@ COMMANDS = (
         QT_TRANSLATE_NOOP("BendTorsion_Member", "Member"),
         QT_TRANSLATE_NOOP(
             "BendTorsion_Member",
-            "A new member along the selected axis with the selected sections, or the segments of"
+            "A new member along each selected axis with the selected sections, or the segments of"
             " the member selected",
         ),
         "B, M",

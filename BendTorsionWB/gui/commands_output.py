@@ -13,7 +13,9 @@ from BendTorsionWB.gui.progress import progress
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
-PATTERNS = "select members with patterns; Development makes them"
+MOST_TOLD = 8
+NONE = QT_TRANSLATE_NOOP("BendTorsion", "no member has patterns")
+PATTERNS = QT_TRANSLATE_NOOP("BendTorsion", "select members with patterns; Development makes them")
 
 
 def check(document) -> None:
@@ -43,14 +45,17 @@ def sheets(document) -> None:
         selection.of_member(given, "Unfold", PATTERNS) if given.ours else _kind(document, "Unfold")
     )
     if not own:
-        raise selection.refusal("no member has patterns", PATTERNS)
+        raise selection.refusal(
+            QT_TRANSLATE_NOOP("BendTorsion", "no member has patterns"), PATTERNS
+        )
     missing = [item for item in own if not users(item, "SheetSet")]
     if not missing and len(own) == 1:
         SheetsPanel(Preview(document, title, users(own[0], "SheetSet")[:1])).show()
         return
     if not missing:
         raise selection.refusal(
-            "every member has its sheets already", "select one member to edit its sheets"
+            QT_TRANSLATE_NOOP("BendTorsion", "every member has its sheets already"),
+            QT_TRANSLATE_NOOP("BendTorsion", "select one member to edit its sheets"),
         )
 
     def make():
@@ -73,7 +78,9 @@ def export_package(document) -> None:
     """Write cut files, sheets, STEP, workbook and report of the document into a folder."""
     title = translate("BendTorsion", "Export package")
     if not _kind(document, "Unfold"):
-        raise selection.refusal("no member has patterns", PATTERNS)
+        raise selection.refusal(
+            QT_TRANSLATE_NOOP("BendTorsion", "no member has patterns"), PATTERNS
+        )
     out = ask.folder(title)
     if out is None:
         return
@@ -84,20 +91,36 @@ def export_package(document) -> None:
             count=sum(bool(record.plates) for record in result.records), folder=out
         )
     )
+    _warn_of_errors(result.findings)
 
 
 def report(document) -> None:
     """Write the figures as a workbook or as report.json."""
     if not _kind(document, "Unfold"):
-        raise selection.refusal("no member has patterns", PATTERNS)
+        raise selection.refusal(
+            QT_TRANSLATE_NOOP("BendTorsion", "no member has patterns"), PATTERNS
+        )
     title = translate("BendTorsion", "Report")
     kinds = translate("BendTorsion", "Workbook (*.xlsx);;Report (*.json)")
     path = ask.save_file(title, kinds, ".xlsx")
     if path is None:
         return
     with progress(title):
-        macro.on_files(document, "write_report", document, path)
+        found = macro.on_files(document, "write_report", document, path)
     ask.tell(translate("BendTorsion", "Written: {file}").format(file=path))
+    _warn_of_errors(found)
+
+
+def _warn_of_errors(findings) -> None:
+    """Show the errors of what is not in the files, where there are any."""
+    lines = [finding.line() for finding in findings if finding.severity == "error"]
+    if not lines:
+        return
+    text = translate("BendTorsion", "Written without what is in error:")
+    if len(lines) > MOST_TOLD:
+        more = translate("BendTorsion", "and {count} more").format(count=len(lines) - MOST_TOLD)
+        lines = [*lines[:MOST_TOLD], more]
+    ask.warn("\n".join([text, *lines]))
 
 
 def preferences(document) -> None:
@@ -138,7 +161,7 @@ COMMANDS = (
         ),
         "B, H",
         sheets,
-        ("Member", "PlateSet", "Unfold"),
+        ("Member", "PlateSet", "Unfold", "SheetSet"),
     ),
     Command(
         "ExportPackage",

@@ -7,15 +7,16 @@ from collections.abc import Callable
 
 import FreeCAD
 
-from BendTorsionWB.gui import macro, selection
+from BendTorsionWB.gui import ask, macro, selection
 from BendTorsionWB.gui.command import Command
 from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.progress import PATIENCE, progress
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
-MEND = "select a member or its plates"
-ONE = "select one member or its plates"
+MEND = QT_TRANSLATE_NOOP("BendTorsion", "select a member or its plates")
+MEMBERS = QT_TRANSLATE_NOOP("BendTorsion", "members")
+ONE = QT_TRANSLATE_NOOP("BendTorsion", "select one member or its plates")
 
 
 def plates(document) -> None:
@@ -27,7 +28,7 @@ def plates(document) -> None:
     members = selection.of_member(given, "Member", MEND)
     bare = [item for item in members if not users(item, "PlateSet")]
     if not bare:
-        member = selection.only(members, "members", ONE)
+        member = selection.only(members, MEMBERS, ONE)
         PlatesPanel(Preview(document, name, users(member, "PlateSet")[:1])).show()
         return
     if len(bare) == 1:
@@ -77,7 +78,7 @@ def _parts(document, table: str, name: str, icon: str) -> None:
 def _own_plates():
     """The PlateSet of the one member selected."""
     own = selection.of_member(selection.picked(), "PlateSet", MEND)
-    return selection.only(own, "members", ONE)
+    return selection.only(own, MEMBERS, ONE)
 
 
 def splits(document) -> None:
@@ -89,28 +90,63 @@ def splits(document) -> None:
 
 
 def node(document) -> None:
-    """The selected node, or a new one where the second selected member ends on the first."""
+    """The selected node; that of the two selected members, or a new one where the second of them
+    ends on the first."""
     from BendTorsionWB.gui.panels_detail import NodePanel
+    from BendTorsionWB.objects import node as node_object
 
     given = selection.picked()
     name = translate("BendTorsion", "Node")
     nodes = given.of_kind("Node")
     if nodes:
-        one = selection.only(nodes, "nodes", "select one node")
+        one = selection.only(
+            nodes,
+            QT_TRANSLATE_NOOP("BendTorsion", "nodes"),
+            QT_TRANSLATE_NOOP("BendTorsion", "select one node"),
+        )
         NodePanel(Preview(document, name, [one])).show()
         return
-    mend = "select the member that runs through, then the one that ends on it; or a node to edit"
+    mend = QT_TRANSLATE_NOOP(
+        "BendTorsion",
+        "select the member that runs through, then the one that ends on it; or a node to edit",
+    )
     members = selection.of_member(given, "Member", mend)
     if len(members) != 2:
-        raise selection.refusal(f"{len(members)} members are selected, two are needed", mend)
+        words = translate("BendTorsion", "{count} members are selected, two are needed")
+        raise selection.refusal(words.format(count=len(members)), mend)
+    there = [
+        item
+        for item in dict.fromkeys(users(members[0], "Node"))
+        if {item.Through, item.Other} == set(members)
+    ]
+    place = node_object.free_place(*members, there)
+    if place is None:
+        _edit_one_of(document, name, members, there)
+        return
     taken = {item.Label for item in document.Objects}
     label = next(f"N{k}" for k in range(1, len(taken) + 2) if f"N{k}" not in taken)
     cut = [item for one in members for item in users(one, "PlateSet")]
 
+    at = {"place": place} if there else {}
+
     def create(make):
-        return [make("make_node", document, *members, label, plates=cut)]
+        return [make("make_node", document, *members, label, plates=cut, **at)]
 
     NodePanel(Preview(document, name, create=create)).show()
+
+
+def _edit_one_of(document, name: str, members: list, there: list) -> None:
+    """The node two members have, in its panel; of several one is to be selected."""
+    from BendTorsionWB.gui.panels_detail import NodePanel
+
+    one, other = (item.Label for item in members)
+    labels = ", ".join(item.Label for item in there)
+    words = translate("BendTorsion", "{one} and {other} have their node already: {nodes}")
+    told = words.format(one=one, other=other, nodes=labels)
+    if len(there) > 1:
+        raise selection.refusal(told, QT_TRANSLATE_NOOP("BendTorsion", "select the node to edit"))
+    NodePanel(Preview(document, name, there)).show()
+    ask.tell(told)
 
 
 def development(document) -> None:
@@ -137,7 +173,10 @@ def _of_plates(document, kind: str, function: str, name: str, panel: Callable) -
     if len(own) > 1:
         if not missing:
             labels = ", ".join(item.Label for item in own)
-            raise selection.refusal(f"{labels} have it already", "select one to edit it")
+            raise selection.refusal(
+                translate("BendTorsion", "{labels} have it already").format(labels=labels),
+                QT_TRANSLATE_NOOP("BendTorsion", "select one to edit it"),
+            )
         make_all(
             document, name, lambda: [shown(macro.make(function, document, one)) for one in missing]
         )
@@ -250,7 +289,8 @@ COMMANDS = (
         QT_TRANSLATE_NOOP("BendTorsion_Node", "Node"),
         QT_TRANSLATE_NOOP(
             "BendTorsion_Node",
-            "Where the second selected member ends on the first, or the node selected",
+            "Where the second selected member ends on the first; the node the two have, or the one"
+            " selected",
         ),
         "B, 6",
         node,

@@ -13,7 +13,7 @@ from BendTorsionWB.gui.progress import PATIENCE, progress
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
-MEND = "select members, or have some in the document"
+MEND = QT_TRANSLATE_NOOP("BendTorsion", "select members, or have some in the document")
 
 
 def show_frames(document) -> None:
@@ -109,7 +109,7 @@ def _chosen(document, kind: str) -> list:
         return selection.of_member(given, kind, MEND)
     found = [obj for obj in document.Objects if getattr(obj, "BT_Type", "") == kind]
     if not found:
-        raise selection.refusal("there is no member", MEND)
+        raise selection.refusal(QT_TRANSLATE_NOOP("BendTorsion", "there is no member"), MEND)
     return found
 
 

@@ -209,13 +209,8 @@ class MemberPanel(TaskPanel):
 
     def picked(self, point) -> None:
         """Put the cut nearest to a point picked in the 3D view."""
-        import numpy as np
-
-        from BendTorsionWB.core.axes.axis_places import cut_place
-        from BendTorsionWB.objects import axis as axis_object
-
         try:
-            place = cut_place(axis_object.value(self.member.Axis), point=np.array(point, float))
+            place = place_on(self.member, point)
         except BendTorsionError as problem:
             self.findings.setText(str(problem))
             return
@@ -227,6 +222,19 @@ class MemberPanel(TaskPanel):
         self._pick(False)
         if self.dragger is not None:
             self.dragger.stop()
+
+
+def place_on(member, point) -> float:
+    """Place on the axis of a Member nearest to a point (x, y, z), to a tenth of a mm; raises
+    BendTorsionError for an axis in error."""
+    import numpy as np
+
+    from BendTorsionWB.core.axes.axis_places import cut_place
+    from BendTorsionWB.objects import axis as axis_object
+    from BendTorsionWB.objects.proxy import linked
+
+    core = axis_object.value(linked(member, "Axis", "Axis"))
+    return round(float(cut_place(core, point=np.array(tuple(point), float))), 1)
 
 
 class _Pick:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import FreeCAD
 
 from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.core.joints.stock import stock_of
 from BendTorsionWB.core.part_tables import PART_COLUMNS, READERS
 from BendTorsionWB.core.sections.section import BOX_FACES
 from BendTorsionWB.gui.joint_words import joints_text, set_joints
@@ -31,6 +32,14 @@ class PlatesPanel(TaskPanel):
         ]
         self.fields = PropertyForm([self.plates], rows, self.changed)
         self.add_form(self.fields)
+        stock = QtWidgets.QFormLayout()
+        self.stock = QtWidgets.QLineEdit(self.plates.Stock)
+        self.stock.setObjectName("stock")
+        self.stock.setPlaceholderText("12000x2500; 16 10000x2000; 30 S460 8000x2200")
+        self.stock.setToolTip(self.plates.getDocumentationOfProperty("Stock"))
+        self.stock.textEdited.connect(self._stock)
+        stock.addRow(translate("BendTorsion", "Stock"), self.stock)
+        self.body.addLayout(stock)
         box = QtWidgets.QGroupBox(translate("BendTorsion", "Joints of each face"))
         box.setToolTip(
             translate("BendTorsion", "mm from the start, ratios up to 1, auto, or empty for none")
@@ -61,6 +70,16 @@ class PlatesPanel(TaskPanel):
         if done and member is not None:
             member.ViewObject.Visibility = False
         return done
+
+    def _stock(self, text: str) -> None:
+        try:
+            stock_of(text)
+        except BendTorsionError as problem:
+            self.refuse(self.stock, _told(problem))
+            return
+        self.plates.Stock = text
+        self.refuse(self.stock, "")
+        self.changed()
 
     def _joints(self, face: str, text: str) -> None:
         field = self.joints[face]

@@ -14,6 +14,12 @@ translate = FreeCAD.Qt.translate
 BAD = "#d9534f"
 
 
+def typed(event) -> bool:
+    """Whether a key event writes a character."""
+    commands = QtCore.Qt.ControlModifier | QtCore.Qt.AltModifier | QtCore.Qt.MetaModifier
+    return event.text().isprintable() and bool(event.text()) and not event.modifiers() & commands
+
+
 class RowTable(QtWidgets.QTableWidget):
     """Rows of text. `edited` is told the cells written, {(row, column): text}, once per action:
     typing, pasting, filling down or clearing. Cells given in `locked` cannot be written; texts for
@@ -90,8 +96,11 @@ class RowTable(QtWidgets.QTableWidget):
         self.blockSignals(False)
 
     def event(self, event):
-        """Keep the keys of the table from FreeCAD's shortcuts."""
-        if event.type() == QtCore.QEvent.ShortcutOverride and self._meant(event) is not None:
+        """Keep the keys of the table from FreeCAD's shortcuts, and what is typed over a cell: its
+        first letters would be a command, as B, O."""
+        if event.type() == QtCore.QEvent.ShortcutOverride and (
+            self._meant(event) is not None or typed(event)
+        ):
             event.accept()
             return True
         return super().event(event)
@@ -217,9 +226,15 @@ class _Cell(QtWidgets.QStyledItemDelegate):
             completer.setCompletionMode(QtWidgets.QCompleter.UnfilteredPopupCompletion)
             completer.setCaseSensitivity(QtCore.Qt.CaseInsensitive)
             editor.setCompleter(completer)
+            # While its list is open, Enter passes by Qt's own way to end the editing.
+            editor.returnPressed.connect(lambda: self._leave(editor))
         at = (index.row(), index.column())
         editor.textChanged.connect(lambda text: self._judge(editor, at, text))
         return editor
+
+    def _leave(self, editor) -> None:
+        self.commitData.emit(editor)
+        self.closeEditor.emit(editor, QtWidgets.QAbstractItemDelegate.NoHint)
 
     def _judge(self, editor, at, text: str) -> None:
         reason = self.table.judge(*at, text)

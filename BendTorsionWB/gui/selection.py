@@ -5,13 +5,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import FreeCAD
 import FreeCADGui
 
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.gui.chains import chains
 from BendTorsionWB.gui.tree import LINKED_ABOVE
 
-FACE_AND_CURVES = "select one face, then one or more curves on it"
+translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+FACE_AND_CURVES = QT_TRANSLATE_NOOP("BendTorsion", "select one face, then one or more curves on it")
 _CHAIN = {
     "Member": {"Member", "PlateSet", "Unfold", "SheetSet", "AssemblyBed"},
     "PlateSet": {"PlateSet", "Member", "Unfold", "SheetSet", "AssemblyBed"},
@@ -83,9 +86,10 @@ def surface_and_curves(given: Picked):
     """
     surfaces = [*given.of_kind("Surface"), *given.faces]
     if len(surfaces) != 1:
-        raise refusal(f"{len(surfaces)} faces are selected, one is needed", FACE_AND_CURVES)
+        words = translate("BendTorsion", "{count} faces are selected, one is needed")
+        raise refusal(words.format(count=len(surfaces)), FACE_AND_CURVES)
     if not given.curves:
-        raise refusal("no curve is selected", FACE_AND_CURVES)
+        raise refusal(QT_TRANSLATE_NOOP("BendTorsion", "no curve is selected"), FACE_AND_CURVES)
     return surfaces[0], given.curves
 
 
@@ -98,11 +102,15 @@ def of_member(given: Picked, kind: str, mend: str) -> list:
             found += [obj for obj in _along(item) if obj.BT_Type == kind]
     found = list(dict.fromkeys(found))
     if not found:
-        raise refusal(f"no {_WORDS[kind]} is selected", mend)
+        raise refusal(_NONE[kind], mend)
     return found
 
 
-_WORDS = {"Member": "member", "PlateSet": "member with plates", "Unfold": "member with patterns"}
+_NONE = {
+    "Member": QT_TRANSLATE_NOOP("BendTorsion", "no member is selected"),
+    "PlateSet": QT_TRANSLATE_NOOP("BendTorsion", "no member with plates is selected"),
+    "Unfold": QT_TRANSLATE_NOOP("BendTorsion", "no member with patterns is selected"),
+}
 
 
 def _along(obj) -> list:
@@ -138,10 +146,13 @@ def only(items: list, words: str, mend: str):
     """The one of some selected objects; raises BendTorsionError (`selection`) for several, of which
     none is meant more than the others."""
     if len(items) > 1:
-        raise refusal(f"{len(items)} {words} are selected, one is needed", mend)
+        told = translate("BendTorsion", "{count} {things} are selected, one is needed")
+        things = translate("BendTorsion", words)
+        raise refusal(told.format(count=len(items), things=things), mend)
     return items[0]
 
 
 def refusal(message: str, mend: str) -> BendTorsionError:
-    """What to select instead."""
+    """What to select instead; in the language of the window."""
+    message, mend = (translate("BendTorsion", text) for text in (message, mend))
     return BendTorsionError([error("selection", "selection", message, mend=mend)])

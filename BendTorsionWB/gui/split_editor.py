@@ -72,7 +72,7 @@ class SplitPanel(TaskPanel):
         self.place.valueChanged.connect(self._typed)
         line = QtWidgets.QHBoxLayout()
         line.addWidget(self.which, 1)
-        line.addWidget(self.place)
+        line.addWidget(self.place, 1)
         self.body.addLayout(line)
         self.verdict = QtWidgets.QLabel()
         self.verdict.setObjectName("verdict")
@@ -193,6 +193,8 @@ class SplitPanel(TaskPanel):
             self.place.blockSignals(True)
             self.place.setProperty("rawValue", s)
             self.place.blockSignals(False)
+            # From its first figure on: a field that was too narrow once stays scrolled.
+            self.place.findChild(QtWidgets.QLineEdit).home(False)
 
     def _typed(self, _=None) -> None:
         if self.focus is None or self.closed:

@@ -44,16 +44,21 @@ class TaskPanel:
         self.errors_before: set[str] = set()
         self.closed = False
         self.held: HeldCommands | None = None
+        self.escape = None
         self.width_before = 0
 
     def show(self) -> None:
         """Open it at the side of the window."""
+        # Here, not above: the panel is known before the first 3D view is.
+        from BendTorsionWB.gui.view_mouse import EscapeInView
+
         self.body.addWidget(self.findings)
         self.body.addStretch()
         # What is new has no errors to be excused.
         self.errors_before = set() if self.preview.create else self._own_errors()
         self.show_findings()
         self.held = HeldCommands(self._gone)
+        self.escape = EscapeInView(self.preview.document, self.reject)
         self.observer = _Closing(self)
         FreeCAD.addDocumentObserver(self.observer)
         FreeCADGui.Control.showDialog(self)
@@ -220,6 +225,8 @@ class TaskPanel:
         self.timer.stop()
         if self.held is not None:
             self.held.release()
+        if self.escape is not None:
+            self.escape.stop()
         for form in self.forms:
             form.ended = True
 

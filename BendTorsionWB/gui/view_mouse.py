@@ -8,6 +8,8 @@ is taken from the events of the window.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import FreeCAD
 import FreeCADGui
 import numpy as np
@@ -16,6 +18,43 @@ from BendTorsionWB.gui.label_layer import on_screen
 from BendTorsionWB.gui.qt import QtCore, QtGui
 
 KIND = "Gui::View3DInventor"
+
+
+def view_of(document: str):
+    """The 3D view of a document by its name, or None; looked up each time, as FreeCAD crashes at
+    one that was closed."""
+    found = FreeCAD.listDocuments().get(document)
+    views = FreeCADGui.getDocument(document).mdiViewsOfType(KIND) if found else ()
+    return views[0] if views else None
+
+
+class EscapeInView(QtCore.QObject):
+    """Calls `escaped` when Esc is pressed in the 3D view of a document, until `stop`."""
+
+    def __init__(self, document, escaped: Callable[[], None]):
+        super().__init__()
+        self.escaped = escaped
+        view = view_of(document.Name)
+        self.widget = view.graphicsView() if view is not None else None
+        if self.widget is not None:
+            self.widget.installEventFilter(self)
+
+    def stop(self) -> None:
+        """Leave the key to FreeCAD."""
+        try:
+            if self.widget is not None:
+                self.widget.removeEventFilter(self)
+        except RuntimeError:
+            pass  # The view was closed, its widget is gone.
+        self.widget = None
+
+    def eventFilter(self, widget, event):
+        """Called by Qt before the view has the event."""
+        if event.type() != QtCore.QEvent.KeyPress or event.key() != QtCore.Qt.Key_Escape:
+            return False
+        # Later: what is called takes this filter away.
+        QtCore.QTimer.singleShot(0, self.escaped)
+        return True
 
 
 class ViewMouse(QtCore.QObject):
@@ -27,7 +66,8 @@ class ViewMouse(QtCore.QObject):
         super().__init__()
         self.target, self.document = target, document.Name
         self.widgets, self.scene = [], None
-        view = self._view()
+        self.escaped = False
+        view = view_of(self.document)
         if view is not None:
             self.scene = view.getSceneGraph()
             frame = view.graphicsView()
@@ -49,7 +89,7 @@ class ViewMouse(QtCore.QObject):
         """Called by Qt before the view has the event."""
         kind = event.type()
         if kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.ShortcutOverride):
-            return event.key() == QtCore.Qt.Key_Escape and bool(self.target.escape())
+            return event.key() == QtCore.Qt.Key_Escape and self._escape(kind)
         if len(self.widgets) < 2 or widget is not self.widgets[1]:
             return False
         if kind == QtCore.QEvent.MouseMove:
@@ -66,6 +106,15 @@ class ViewMouse(QtCore.QObject):
             self.widgets[0].setFocus()
         return taken
 
+    def _escape(self, kind) -> bool:
+        """Whether the target takes Esc; Qt tells of one press twice, before its shortcuts and
+        after, and what is taken the first time is taken the second."""
+        self.escaped = self.escaped or bool(self.target.escape())
+        taken = self.escaped
+        if kind == QtCore.QEvent.KeyPress:
+            self.escaped = False
+        return taken
+
     def point_at(self, hand: bool) -> None:
         """Show over the view that what is under the mouse can be dragged, or not."""
         if self.widgets and hand:
@@ -75,7 +124,7 @@ class ViewMouse(QtCore.QObject):
 
     def pixels(self, places) -> tuple[np.ndarray, np.ndarray]:
         """`label_layer.on_screen` of places (n, 3) in this view."""
-        view = self._view()
+        view = view_of(self.document)
         if view is None:
             return np.zeros((len(places), 2)), np.zeros(len(places))
         size = view.getSize()
@@ -84,12 +133,6 @@ class ViewMouse(QtCore.QObject):
         if shape < 1.0:
             volume.scale(1.0 / shape)
         return on_screen(places, np.array(volume.getMatrix().getValue()), size)
-
-    def _view(self):
-        """The 3D view, or None; looked up each time, as FreeCAD crashes at one that was closed."""
-        found = FreeCAD.listDocuments().get(self.document)
-        views = FreeCADGui.getDocument(self.document).mdiViewsOfType(KIND) if found else ()
-        return views[0] if views else None
 
     def _place(self, event) -> np.ndarray:
         """Pixels of the screen from the lower left."""

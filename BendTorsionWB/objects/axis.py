@@ -23,7 +23,7 @@ from BendTorsionWB.core.axes.surface_check import surface_findings
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.objects import surface as surface_object
 from BendTorsionWB.objects.axis_properties import PROPERTIES
-from BendTorsionWB.objects.proxy import Proxy, linked
+from BendTorsionWB.objects.proxy import Proxy, check_linked, linked
 from BendTorsionWB.shapes import axis_source, curve_shape, frame_shape
 
 TWIST_STATIONS = 401
@@ -71,6 +71,7 @@ def _crossings(obj, axis: core_axis.Axis) -> tuple[list[float], list[tuple]]:
                     position="property CrossingAxes",
                 )
             )
+        check_linked(other)
         found += crossings(axis, value(other))
     return [c.first for c in found], [tuple(map(float, c.first_point)) for c in found]
 
@@ -135,6 +136,16 @@ def _made_from(obj) -> dict:
         return {"rule": _rule(obj)}
     picked = [obj.Source] if obj.Source is not None else []
     picked += list(obj.Sources)
+    if not picked and not obj.Points:
+        raise BendTorsionError(
+            error(
+                "link-missing",
+                obj.Label,
+                "the axis has no curve and no points",
+                "undo what deleted its curve, choose another as Source, or give points",
+                position="property Source",
+            )
+        )
     if not picked:
         return {"points": np.array([tuple(point) for point in obj.Points], float).reshape(-1, 3)}
     shapes = [surface_object.picked_shape(obj, source, "curve") for source in picked]

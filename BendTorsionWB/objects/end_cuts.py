@@ -10,7 +10,7 @@ from BendTorsionWB.core.members.end_cut import KINDS, SQUARE, EndCut
 from BendTorsionWB.objects import given
 from BendTorsionWB.objects import surface as surface_object
 from BendTorsionWB.objects.given import Given
-from BendTorsionWB.objects.proxy import Property
+from BendTorsionWB.objects.proxy import Property, check_linked
 from BendTorsionWB.shapes import from_part
 
 ENDS = ("Start", "End")
@@ -134,6 +134,7 @@ def _end_cut(obj, end: str) -> EndCut:
             )
         )
     if getattr(source[0], "BT_Type", "") == "Surface":
+        check_linked(source[0])
         return EndCut(kind, offset, surface=surface_object.value(source[0]))
     shape = surface_object.picked_shape(obj, source, "face")
     if len(shape.Faces) == 1 and shape.Faces[0].Surface.TypeId == "Part::GeomPlane":

@@ -4,16 +4,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from BendTorsionWB.core import detailing, rules
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.core.nodes.node_blend import with_blends
 from BendTorsionWB.core.nodes.node_input import DIAPHRAGMS, TYPES, NodeInput
+from BendTorsionWB.core.nodes.node_meetings import meetings_of, place_of
 from BendTorsionWB.core.nodes.nodes import Node as CoreNode
 from BendTorsionWB.objects import member as member_object
-from BendTorsionWB.objects.proxy import Property, Proxy, linked
+from BendTorsionWB.objects.proxy import Property, Proxy, check_linked, linked
 from BendTorsionWB.shapes import node_shape
 
 THROUGH_BY = ("link", "rank")
@@ -217,6 +218,32 @@ def value(obj, known: dict[str, detailing.MemberGeometry] | None = None) -> Core
     return replace(node, name=obj.Node or node.name, branches=(branch.at_node(obj.Node),))
 
 
+def free_place(through, other, there: Sequence) -> float | None:
+    """Place on the Member `through`, mm, of the first meeting with `other` that none of the Nodes
+    `there`, which are theirs, is at; None when each has its node, and 0 when the two do not meet
+    or one is in error while there is no node."""
+    try:
+        solids = {item.Label: member_object.value(item).member for item in (through, other)}
+        meetings, _ = meetings_of(solids, rules.node_rules("CN"))
+    except BendTorsionError:
+        meetings = []
+    places = [place_of(meeting, through.Label) for meeting in meetings]
+    for node in there:
+        own = [abs(place - _place_on(node, through)) for place in places]
+        if own:
+            del places[own.index(min(own))]
+    if places:
+        return places[0]
+    return None if there else 0.0
+
+
+def _place_on(node, member) -> float:
+    """Where a node is on one of its members; as given when it could not be computed."""
+    if node.Status.startswith("error"):
+        return node.Place.Value
+    return (node.PlaceThrough if members_of(node)[0] is member else node.PlaceOther).Value
+
+
 def _linked_members(obj, name: str) -> list:
     """The Member objects of a list of links; raises BendTorsionError for others and for those of
     the node itself."""
@@ -232,6 +259,7 @@ def _linked_members(obj, name: str) -> list:
                     value=item.Label,
                 )
             )
+        check_linked(item)
     return found
 
 
@@ -251,5 +279,6 @@ def nodes_of(objects: Iterable) -> tuple[CoreNode, ...]:
                     value=getattr(obj, "BT_Type", ""),
                 )
             )
+        check_linked(obj)
         nodes.append(value(obj, known))
     return tuple(nodes)

@@ -11,6 +11,7 @@ from BendTorsionWB.core.drawings.sheet_node import node_sheets
 from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.finding import error
 from BendTorsionWB.core.lofting import MemberRecord
+from BendTorsionWB.core.welds.landed_marks import with_landed_marks
 from BendTorsionWB.objects.arrangement import ArrangementSet
 from BendTorsionWB.objects.sheet_content import faulty
 
@@ -31,7 +32,7 @@ class NodeSheets(ArrangementSet):
 @lru_cache(maxsize=2)
 def _laid_out(records: tuple[MemberRecord, ...], style: SheetStyle, name: str) -> tuple[Sheet, ...]:
     # Every page asks for the same sheets in one recompute; records are kept by the memo.
-    sheets = node_sheets(records, style)
+    sheets = node_sheets(with_landed_marks(records), style)
     if sheets:
         return sheets
     empty = error(

@@ -266,7 +266,7 @@ def linked(obj, name: str, kind: str):
                 "link-missing",
                 obj.Label,
                 f"{name} is not set",
-                f"choose a {kind}",
+                f"choose {_a(kind)}",
                 position=f"property {name}",
             )
         )
@@ -276,16 +276,26 @@ def linked(obj, name: str, kind: str):
                 "link-kind",
                 obj.Label,
                 f"{name} is not a {kind}",
-                f"choose a {kind}",
+                f"choose {_a(kind)}",
                 position=f"property {name}",
                 value=target.Label,
             )
         )
-    # A target just computed and in error passes that on, whether this would need what is wrong.
+    check_linked(target)
+    return target
+
+
+def _a(kind: str) -> str:
+    """A kind of object with its article."""
+    return f"an {kind}" if kind[0] in "AEIOU" else f"a {kind}"
+
+
+def check_linked(target) -> None:
+    """Raises BendTorsionError when an object of ours that another one uses is in error, whether the
+    other would need what is wrong or not."""
     if target.Status.startswith("error") and not _is_waiting(target):
         raise BendTorsionError(f for f in findings_of(target) if f.severity == "error")
     check_numbers(target, target.Proxy.declared(target))
-    return target
 
 
 def _is_waiting(obj) -> bool:

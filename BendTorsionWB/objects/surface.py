@@ -10,7 +10,7 @@ import Part
 from BendTorsionWB.core.axes.surface_check import size_findings
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.core.geometry import surface as core_surface
-from BendTorsionWB.objects.proxy import Property, Proxy
+from BendTorsionWB.objects.proxy import Property, Proxy, check_linked, type_of
 from BendTorsionWB.shapes import from_part, surface_shape
 
 KINDS = (*core_surface.KINDS, "face")
@@ -87,6 +87,8 @@ def source_shape(obj) -> Part.Shape | None:
 def picked_shape(obj, source, what: str) -> Part.Shape:
     """The sub-shape of a LinkSub (object, (names…)) in document coordinates."""
     target, names = source
+    if type_of(target):
+        check_linked(target)
     if not hasattr(target, "Shape") or target.Shape.isNull():
         raise BendTorsionError(
             error(

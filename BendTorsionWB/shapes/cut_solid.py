@@ -198,10 +198,12 @@ def _face(surface, points, outwards, name) -> tuple[Part.Face, float]:
     far = 4.0 * float(size.sum()) + 1000.0
     places = np.linspace(low[2] - far, high[2] + far, _LOOKED_AT)
     stays = np.stack([step(np.full(len(base), h))[0] >= 0.0 for h in places])
-    if not stays[0].all() or stays.all(axis=0).any():
+    leaves = stays[:-1] & ~stays[1:]
+    if not leaves.any(axis=0).all():
         raise _refused(name, "is not crossed by the cut all round")
-    # The first crossing on the way out: a round surface may have a second one.
-    last = np.argmax(~stays, axis=0) - 1
+    # The crossing by the points: a round surface may have another, farther out or behind.
+    away = np.where(leaves, np.abs(places[:-1] + places[1:])[:, None], np.inf)
+    last = np.argmin(away, axis=0)
     height = bracketed_roots(step, places[last], places[last + 1])
     corners = (base + height[:, None] * outwards).reshape(count, count, 3)
     if count == 2:

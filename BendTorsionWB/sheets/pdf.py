@@ -21,7 +21,7 @@ from ..core.drawings.sheet import (
     Text,
 )
 from ..core.finding import BendTorsionError, error
-from .qt import qt_modules
+from .qt import qt_major, qt_modules
 
 RESOLUTION = 1200  # dots per inch; page coordinates are mapped to these dots
 DOTS_PER_MM = RESOLUTION / 25.4
@@ -141,7 +141,9 @@ def _page_layout(qt_core, qt_gui, sheet: Sheet):
 
 def _families(qt_gui, texts: Sequence[Sequence[Text]]) -> list[str]:
     """The font, and after it the one for Chinese when the texts of sheets have any."""
-    known = set(qt_gui.QFontDatabase().families())
+    # An object in Qt 5; in Qt 6 the class itself.
+    database = qt_gui.QFontDatabase if qt_major() >= 6 else qt_gui.QFontDatabase()
+    known = set(database.families())
     family = next((name for name in FAMILIES if name in known), None)
     if family is None:
         raise BendTorsionError(

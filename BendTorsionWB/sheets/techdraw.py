@@ -8,11 +8,19 @@ source, always belongs at the middle of the frame.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
-from ..core.drawings.sheet import FONT_FAMILY, LINE_STYLES, Sheet
+from ..core.drawings.sheet import (
+    FONT_FAMILY,
+    LINE_STYLES,
+    WIDTH_MARGIN,
+    Sheet,
+    Text,
+    text_width,
+)
 from ..core.drawings.sheet_page import SIGNED_CELLS
 from ..core.drawings.sheet_style import FORMATS, TITLE_WIDTH, PageFormat
 from .qt import qt_major
@@ -20,6 +28,8 @@ from .svg import sized_anew, svg_document
 
 TEMPLATES = Path(__file__).resolve().parents[2] / "resources" / "templates" / "techdraw"
 PIXELS_PER_MM = 96.0 / 25.4
+LONGEST_PART = 40.0
+"""mm of a line of text that the symbol of a page has in one piece."""
 
 
 def template_path(sheet: Sheet) -> str:
@@ -88,7 +98,25 @@ def symbol_svg(sheet: Sheet, alone: bool = False) -> str:
     """
     lines = [line for line in _view_lines(sheet) if alone or line.style != "narrow"]
     lines += sheet.all_lines()
-    return svg_document(sheet, lines, sheet.all_texts(), *_symbol_unit(), joined=True)
+    texts = [part for text in sheet.all_texts() for part in _parts(text)]
+    return svg_document(sheet, lines, texts, *_symbol_unit(), joined=True)
+
+
+def _parts(text: Text) -> list[Text]:
+    """A long level line in parts, each where it begins: the letters that Qt draws of an SVG drift
+    from their places, by up to 1 % of a line."""
+    if text.angle or text.anchor != "start" or text_width(text.text, text.height) < LONGEST_PART:
+        return [text]
+    words = text.text.split(" ")
+    parts, begin = [], 0
+    for end in range(1, len(words) + 1):
+        longer = " ".join(words[begin : end + 1])
+        if end == len(words) or text_width(longer, text.height) > LONGEST_PART:
+            before = " ".join(["", *words[:begin], ""])[1:]
+            x = text.x + text_width(before, text.height) / WIDTH_MARGIN
+            parts.append(replace(text, x=x, text=" ".join(words[begin:end])))
+            begin = end
+    return parts
 
 
 def _symbol_unit() -> tuple[str, float]:

@@ -21,6 +21,7 @@ import FreeCAD  # noqa: E402
 
 from BendTorsionWB import make  # noqa: E402
 from BendTorsionWB.model_files import checked_recompute, save  # noqa: E402
+from BendTorsionWB.sheets.pdf import start_qt  # noqa: E402
 
 SIZES = (
     ("radius", "30000 mm", "radius of the dome"),
@@ -99,13 +100,17 @@ def surface_template(document) -> None:
 
 
 def project_template(document) -> None:
-    """Three members with their drawing sheets."""
+    """Three members with their drawing sheets and the general arrangement; pages of plates come
+    when `PlatePages` of a sheet set is set."""
     sizes_sheet(document)
     surface = dome(document)
     sections = [section(document, "Base", "height"), section(document, "Tip", "end_height")]
+    sets = []
     for number, place in enumerate(range(-1, 2), start=1):
         unfold = rib(document, f"M{number}", surface, sections[: 1 + number % 2], place)
-        make.make_sheets(document, unfold, "Project name", "Drawn by")
+        title = {"project": "Project name", "author": "Drawn by"}
+        sets.append(make.make_sheets(document, unfold, **title, plate_pages=False))
+    make.make_arrangement(document, sets)
 
 
 TEMPLATES = {"member": member_template, "surface": surface_template, "project": project_template}
@@ -113,6 +118,7 @@ TEMPLATES = {"member": member_template, "surface": surface_template, "project": 
 
 def write(folder: Path) -> None:
     """Write every template into a folder; stops at the first that is not free of errors."""
+    start_qt()
     for name, fill in TEMPLATES.items():
         document = FreeCAD.newDocument(name, hidden=True)
         try:

@@ -635,6 +635,10 @@
         <translation>钢号</translation>
     </message>
     <message>
+        <source>Stock</source>
+        <translation>库存板材</translation>
+    </message>
+    <message>
         <source>Stopped</source>
         <translation>已停止</translation>
     </message>
@@ -731,6 +735,10 @@
         <translation>向上方向 x, y, z</translation>
     </message>
     <message>
+        <source>Warnings: {count}, listed by Findings</source>
+        <translation>警告 {count} 条，见“检查结果”</translation>
+    </message>
+    <message>
         <source>Webs full height</source>
         <translation>腹板通高</translation>
     </message>
@@ -753,6 +761,10 @@
     <message>
         <source>Write schedule</source>
         <translation>写出数据表</translation>
+    </message>
+    <message>
+        <source>Written without what is in error:</source>
+        <translation>已写出，不含有错误的部分：</translation>
     </message>
     <message>
         <source>Written: {file}</source>
@@ -815,6 +827,10 @@
         <translation>自动</translation>
     </message>
     <message>
+        <source>axes</source>
+        <translation>轴线</translation>
+    </message>
+    <message>
         <source>axis</source>
         <translation>轴线</translation>
     </message>
@@ -853,6 +869,10 @@
     <message>
         <source>channel</source>
         <translation>槽形</translation>
+    </message>
+    <message>
+        <source>click a member where the cut is to be</source>
+        <translation>单击构件上要分段的位置</translation>
     </message>
     <message>
         <source>concert hall, from its schedule</source>
@@ -921,6 +941,10 @@
     <message>
         <source>energy</source>
         <translation>最小能量</translation>
+    </message>
+    <message>
+        <source>every member has its sheets already</source>
+        <translation>每根构件都已有图纸</translation>
     </message>
     <message>
         <source>face</source>
@@ -1031,7 +1055,19 @@
         <translation>两侧较长的板</translation>
     </message>
     <message>
+        <source>make a section first</source>
+        <translation>请先创建截面</translation>
+    </message>
+    <message>
+        <source>make one, or import a schedule</source>
+        <translation>请创建一根，或导入数据表</translation>
+    </message>
+    <message>
         <source>member</source>
+        <translation>构件</translation>
+    </message>
+    <message>
+        <source>members</source>
         <translation>构件</translation>
     </message>
     <message>
@@ -1053,6 +1089,10 @@
     <message>
         <source>mm from the start, ratios up to 1, auto, or empty for none</source>
         <translation>距始端 mm、不大于 1 的比例、auto，或留空表示无</translation>
+    </message>
+    <message>
+        <source>move the plane</source>
+        <translation>请移动该平面</translation>
     </message>
     <message>
         <source>names and numbers are those of the model</source>
@@ -1077,6 +1117,38 @@
     <message>
         <source>nearest node</source>
         <translation>最近的节点</translation>
+    </message>
+    <message>
+        <source>no curve is selected</source>
+        <translation>未选择曲线</translation>
+    </message>
+    <message>
+        <source>no curve, no two points and no plane are selected</source>
+        <translation>未选择曲线、两个点或平面</translation>
+    </message>
+    <message>
+        <source>no face is selected</source>
+        <translation>未选择面</translation>
+    </message>
+    <message>
+        <source>no member has patterns</source>
+        <translation>没有构件有展开图</translation>
+    </message>
+    <message>
+        <source>no member is selected</source>
+        <translation>未选择构件</translation>
+    </message>
+    <message>
+        <source>no member with patterns is selected</source>
+        <translation>未选择有展开图的构件</translation>
+    </message>
+    <message>
+        <source>no member with plates is selected</source>
+        <translation>未选择有板件的构件</translation>
+    </message>
+    <message>
+        <source>nodes</source>
+        <translation>节点</translation>
     </message>
     <message>
         <source>none</source>
@@ -1191,8 +1263,84 @@
         <translation>截面</translation>
     </message>
     <message>
+        <source>sections</source>
+        <translation>截面</translation>
+    </message>
+    <message>
         <source>segment</source>
         <translation>段</translation>
+    </message>
+    <message>
+        <source>select a member or its plates</source>
+        <translation>请选择构件或其板件</translation>
+    </message>
+    <message>
+        <source>select an axis and a section, or a member to edit</source>
+        <translation>请选择轴线和截面，或要编辑的构件</translation>
+    </message>
+    <message>
+        <source>select faces of one shape, or nothing</source>
+        <translation>请选择同一形体的面，或不选择</translation>
+    </message>
+    <message>
+        <source>select faces of one shape, or nothing for a dome by its sizes</source>
+        <translation>请选择同一形体的面；不选择则按尺寸生成穹顶</translation>
+    </message>
+    <message>
+        <source>select members or their plates</source>
+        <translation>请选择构件或其板件</translation>
+    </message>
+    <message>
+        <source>select members with patterns; Development makes them</source>
+        <translation>请选择有展开图的构件；展开图由“展开”生成</translation>
+    </message>
+    <message>
+        <source>select members, or have some in the document</source>
+        <translation>请选择构件，或在文档中先创建构件</translation>
+    </message>
+    <message>
+        <source>select one axis</source>
+        <translation>请选择一条轴线</translation>
+    </message>
+    <message>
+        <source>select one face or surface, then curves, points or a plane face that cuts the surface</source>
+        <translation>请选择一个面或曲面，再选择曲线、点或与曲面相交的平面</translation>
+    </message>
+    <message>
+        <source>select one face, then one or more curves on it</source>
+        <translation>请选择一个面，再选择其上的一条或多条曲线</translation>
+    </message>
+    <message>
+        <source>select one member or its plates</source>
+        <translation>请选择一根构件或其板件</translation>
+    </message>
+    <message>
+        <source>select one member to edit its sheets</source>
+        <translation>请选择一根构件以编辑其图纸</translation>
+    </message>
+    <message>
+        <source>select one node</source>
+        <translation>请选择一个节点</translation>
+    </message>
+    <message>
+        <source>select one section</source>
+        <translation>请选择一个截面</translation>
+    </message>
+    <message>
+        <source>select one surface</source>
+        <translation>请选择一个曲面</translation>
+    </message>
+    <message>
+        <source>select one to edit it</source>
+        <translation>请选择一个进行编辑</translation>
+    </message>
+    <message>
+        <source>select the member that runs through, then the one that ends on it; or a node to edit</source>
+        <translation>请先选择贯通构件，再选择端部落于其上的构件；或选择要编辑的节点</translation>
+    </message>
+    <message>
+        <source>select the node to edit</source>
+        <translation>请选择要编辑的节点</translation>
     </message>
     <message>
         <source>shorter plate beside it</source>
@@ -1231,8 +1379,16 @@
         <translation>曲面</translation>
     </message>
     <message>
+        <source>surfaces</source>
+        <translation>曲面</translation>
+    </message>
+    <message>
         <source>tee</source>
         <translation>T 形</translation>
+    </message>
+    <message>
+        <source>the document has no member</source>
+        <translation>文档中没有构件</translation>
     </message>
     <message>
         <source>the expression cannot be read: {reason}</source>
@@ -1247,8 +1403,20 @@
         <translation>该构件没有板件</translation>
     </message>
     <message>
+        <source>the plane does not cut the surface</source>
+        <translation>该平面与曲面不相交</translation>
+    </message>
+    <message>
         <source>the table ends before it</source>
         <translation>超出表格范围</translation>
+    </message>
+    <message>
+        <source>there is no member</source>
+        <translation>没有构件</translation>
+    </message>
+    <message>
+        <source>there is no section</source>
+        <translation>没有截面</translation>
     </message>
     <message>
         <source>there is no section {name!r}</source>
@@ -1339,8 +1507,16 @@
         <translation>中文</translation>
     </message>
     <message>
+        <source>{count} faces are selected, one is needed</source>
+        <translation>已选择 {count} 个面，需要一个</translation>
+    </message>
+    <message>
         <source>{count} joints, {broken} of them against the rules</source>
         <translation>{count} 条接缝,其中 {broken} 条违反规则</translation>
+    </message>
+    <message>
+        <source>{count} members are selected, two are needed</source>
+        <translation>已选择 {count} 根构件，需要两根</translation>
     </message>
     <message>
         <source>{count} members from M{first} on, cut into plates</source>
@@ -1367,6 +1543,18 @@
         <translation>{count} 个托架,朝下的面:{faces}</translation>
     </message>
     <message>
+        <source>{count} shapes are selected, one is needed</source>
+        <translation>已选择 {count} 个形体，需要一个</translation>
+    </message>
+    <message>
+        <source>{count} surfaces are selected, one is needed</source>
+        <translation>已选择 {count} 个曲面，需要一个</translation>
+    </message>
+    <message>
+        <source>{count} {things} are selected, one is needed</source>
+        <translation>已选择 {count} 个{things}，需要一个</translation>
+    </message>
+    <message>
         <source>{face}: joint {number} at</source>
         <translation>{face}:接缝 {number} 位于</translation>
     </message>
@@ -1377,6 +1565,14 @@
     <message>
         <source>{kind}, angle {angle:.1f}°, axes {off:.2f} mm apart</source>
         <translation>{kind},夹角 {angle:.1f}°,轴线相距 {off:.2f} mm</translation>
+    </message>
+    <message>
+        <source>{labels} have it already</source>
+        <translation>{labels} 已有</translation>
+    </message>
+    <message>
+        <source>{one} and {other} have their node already: {nodes}</source>
+        <translation>{one} 与 {other} 已有节点：{nodes}</translation>
     </message>
     <message>
         <source>{position} of the section on the axis; arrow keys move it</source>
@@ -1436,8 +1632,8 @@
         <translation>由选择生成轴线</translation>
     </message>
     <message>
-        <source>Select a surface and the edges, wires, sketches or points the member runs along, or a plane face that cuts the surface</source>
-        <translation>选择一个曲面，以及构件所沿的边、线、草图或点，或一个与曲面相交的平面</translation>
+        <source>Select a surface and the edges, wires, sketches or points the member runs along, or a plane face that cuts the surface; or the axis to edit</source>
+        <translation>选择曲面以及构件所沿的边、线、草图或点，或与曲面相交的平面；或选择要编辑的轴线</translation>
     </message>
 </context>
 <context>
@@ -1564,8 +1760,8 @@
 <context>
     <name>BendTorsion_Member</name>
     <message>
-        <source>A new member along the selected axis with the selected sections, or the segments of the member selected</source>
-        <translation>沿所选轴线用所选截面生成新构件，或编辑所选构件的各段</translation>
+        <source>A new member along each selected axis with the selected sections, or the segments of the member selected</source>
+        <translation>沿每条所选轴线以所选截面创建构件，或编辑所选构件的各段</translation>
     </message>
     <message>
         <source>Member</source>
@@ -1601,8 +1797,8 @@
         <translation>节点</translation>
     </message>
     <message>
-        <source>Where the second selected member ends on the first, or the node selected</source>
-        <translation>第二个选中的构件落于第一个构件之处,或选中的节点</translation>
+        <source>Where the second selected member ends on the first; the node the two have, or the one selected</source>
+        <translation>所选第二根构件的端部落于第一根之上；编辑两者已有的节点，或所选的节点</translation>
     </message>
 </context>
 <context>

@@ -234,6 +234,10 @@ def plate_panels():
     result["bad"] = [list(plates.JointsLeft), field("joints left").toolTip(), ok_enabled()]
     steps.picture("plates_panel")
     retype(field("joints left"), "8000")
+    retype(field("stock"), "9000 by 2000")
+    result["bad stock"] = [plates.Stock, field("stock").toolTip(), ok_enabled()]
+    retype(field("stock"), "9000x2000")
+    result["stock"] = [plates.Stock, ok_enabled()]
     press("Ok")
     result["kept"] = [list(plates.JointsLeft), document.UndoNames]
     select(plates)

@@ -47,10 +47,10 @@ def field(name, kind=QtGui.QWidget):
     return next(w for w in window().findChildren(kind, name) if w.isVisible())
 
 
-def key(widget, code, text=""):
+def key(widget, code, text="", modifiers=QtCore.Qt.NoModifier):
     """A key pressed in a widget."""
     for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
-        event = QtGui.QKeyEvent(kind, code, QtCore.Qt.NoModifier, text)
+        event = QtGui.QKeyEvent(kind, code, modifiers, text)
         QtGui.QApplication.sendEvent(widget, event)
 
 

@@ -85,4 +85,16 @@ def panels():
     return {"cut": cut, "words": words}
 
 
-steps.run(commands, pages, panels)
+def refusals():
+    """What commands say when nothing is selected, where the window itself has the words."""
+    from hands import run
+
+    document = FreeCAD.newDocument("Nothing")
+    names = ("MembersFromSelection", "Axis", "Member", "CutPoint", "Alignment", "Plates", "Node")
+    names += ("Development", "Sheets", "ShowMarks", "ExportPackage", "WriteSchedule")
+    said = {name: run(name, 0) for name in names}
+    FreeCAD.closeDocument(document.Name)
+    return said
+
+
+steps.run(commands, pages, panels, refusals)

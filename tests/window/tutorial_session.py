@@ -106,8 +106,35 @@ def edit_section():
     return {"before": before, "after": after, "height": section.Height.Value, "seconds": spent}
 
 
+def member_table():
+    """4: the top of every section onto its axis, filled down in the table of all members."""
+    from BendTorsionWB.gui import member_rows
+
+    FreeCADGui.Selection.clearSelection()
+    shown = run("MemberTable")
+    undo = FreeCAD.ActiveDocument.UndoCount
+    dock = window().findChild(QtGui.QDockWidget, "BendTorsion_MemberTable")
+    cells, column = dock.table, member_rows.COLUMNS.index("align")
+    cells.clearSelection()
+    cells.setCurrentCell(0, column)
+    for row in range(cells.rowCount()):
+        cells.item(row, column).setSelected(True)
+    cells.item(0, column).setText("top")
+    key(cells, QtCore.Qt.Key_D, modifiers=QtCore.Qt.ControlModifier)
+    steps.settle()
+    look()
+    steps.picture("5-member-table")
+    dock.hide()
+    return {
+        "shown": shown,
+        "undo": FreeCAD.ActiveDocument.UndoCount - undo,
+        "aligned": [member.Align1 for member in ours("Member")],
+        "statuses": [plates.Status for plates in ours("PlateSet")],
+    }
+
+
 def joints():
-    """4: joints by the rules for all members; those of one on its developed faces."""
+    """5: joints by the rules for all members; those of one on its developed faces."""
     shown, faces = [], ("top", "bottom", "left", "right")
     for plates in ours("PlateSet"):
         select(plates)
@@ -127,11 +154,14 @@ def joints():
         key(view, QtCore.Qt.Key_Right)
     steps.settle(10)
     verdict = field("verdict", QtGui.QLabel).text()
-    steps.picture("5-split-editor")
+    place = field("place").findChild(QtGui.QLineEdit)
+    steps.picture("6-split-editor")
+    seen = place.cursorPositionAt(QtCore.QPoint(1, place.height() // 2))
     press("Cancel")
     return {
         "shown": shown,
         "verdict": verdict,
+        "first_figure_seen": seen,
         "plates": [item.PlateCount for item in ours("PlateSet")],
         "status": plates.Status,
         "warnings": [text for item in ours("PlateSet") for text in item.Findings],
@@ -139,14 +169,14 @@ def joints():
 
 
 def marks():
-    """5: marks of the plates, and what they are coloured by."""
+    """6: marks of the plates, and what they are coloured by."""
     plates = named("M1 plates")
     select(plates)
     shown = run("ShowMarks")
     with asked(choice="strain"):
         shown += run("ColourBy")
     look(plates)
-    steps.picture("6-marks-and-colours")
+    steps.picture("7-marks-and-colours")
     select(plates)
     shown += run("ShowMarks")
     with asked(choice="none"):
@@ -155,7 +185,7 @@ def marks():
 
 
 def development():
-    """6: flat patterns of all members."""
+    """7: flat patterns of all members."""
     select(*ours("Member"))
     shown = run("Development")
     for item in (*ours("PlateSet"), *ours("Axis"), *ours("Surface")):
@@ -167,7 +197,7 @@ def development():
     FreeCADGui.ActiveDocument.ActiveView.viewTop()
     FreeCADGui.SendMsgToActiveView("ViewFit")
     folded_out(3)
-    steps.picture("7-development")
+    steps.picture("8-development")
     unfolds = ours("Unfold")
     return {
         "shown": shown,
@@ -178,7 +208,7 @@ def development():
 
 
 def sheets():
-    """7: drawing sheets; the first page of the first member."""
+    """8: drawing sheets; the first page of the first member."""
     FreeCADGui.Selection.clearSelection()
     shown = run("Sheets")
     pages = [o for o in FreeCAD.ActiveDocument.Objects if o.isDerivedFrom("TechDraw::DrawPage")]
@@ -187,7 +217,7 @@ def sheets():
     steps.settle(15)
     FreeCADGui.SendMsgToActiveView("ViewFit")
     folded_out(3)
-    steps.picture("8-sheet")
+    steps.picture("9-sheet")
     return {
         "shown": shown,
         "tree": steps.tree_items(),
@@ -196,7 +226,7 @@ def sheets():
 
 
 def check():
-    """8: everything that is found, in a list."""
+    """9: everything that is found, in a list."""
     for view in window().findChildren(QtGui.QMdiSubWindow):
         if "sheets" not in view.windowTitle():
             view.setFocus()
@@ -216,7 +246,7 @@ def check():
     rows = window().findChild(QtGui.QDockWidget, "BendTorsion_FindingsPanel").widget()
     found = [rows.item(r, 3).text() for r in range(rows.rowCount())]
     rows.cellClicked.emit(0, 0)
-    steps.picture("9-check")
+    steps.picture("10-check")
     plates.AutoJoints = ["top", "bottom", "left", "right"]
     plates.JointsLeft = plates.JointsTop = []
     FreeCAD.ActiveDocument.recompute()
@@ -233,7 +263,7 @@ def _plates_of(plates, face):
 
 
 def export():
-    """9: everything for the shop in one folder."""
+    """10: everything for the shop in one folder."""
     package = os.path.join(FOLDER, "package")
     with asked(folder=package):
         shown = run("ExportPackage")
@@ -249,6 +279,6 @@ def export():
 
 
 steps.run(
-    *(open_step_file, members_from_selection, edit_section, joints, marks),
+    *(open_step_file, members_from_selection, edit_section, member_table, joints, marks),
     *(development, sheets, check, export),
 )

@@ -52,7 +52,7 @@ def arrangement_sheets(
 def member_listing(records: Sequence[MemberRecord], style: SheetStyle) -> Listing:
     """The members with sections, length, mass, plates, pieces and centre of gravity."""
     say, site = style.say, style.site
-    header = style.said(("member", "sections", "length", "mass, kg", "plates", "pieces"))
+    header = style.headings(("member", "sections", "length", "mass, kg", "plates", "pieces"))
     header += (say("CG on the site, {}", site.unit),)
     digits = 3 if site.unit == "m" else 0
     rows = []

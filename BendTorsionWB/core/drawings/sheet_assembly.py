@@ -12,7 +12,7 @@ from ..finding import Finding
 from ..lofting import MemberRecord
 from .sheet import Table, Text, text_width, wrapped
 from .sheet_findings import finding_text
-from .sheet_overview import overview
+from .sheet_overview import SCALES, overview
 from .sheet_pack import Block
 from .sheet_page import TEXT, Page, with_unit
 from .sheet_style import SheetStyle, fixed
@@ -38,7 +38,7 @@ def assembly_pages(record: MemberRecord, name: str, heading: str, style: SheetSt
     follows on pages of its own."""
     form, say = style.page, style.say
     listing = plate_listing(record, style)
-    figures, notes, right_top = _figures(record, style)
+    figures, notes, right_top = _figures(record, name, style)
     if form.is_small:
         return _small_pages(record, name, heading, style)
     rows, widths = listing.rows, listing.widths
@@ -79,6 +79,9 @@ def assembly_pages(record: MemberRecord, name: str, heading: str, style: SheetSt
     page = Page(heading, texts=(*texts, *notes), tables=tables, lists_plates=bool(columns))
     rest = replace(listing, rows=rows[columns * height :])
     page = _with_views(page, record, bottom, style, name)
+    if page.scale == f"1:{SCALES[-1]}":
+        # The tables leave no room for the views.
+        return _small_pages(record, name, heading, style)
     return [page, *_listed(listing_pages(say("plate list"), rest, style))]
 
 
@@ -87,7 +90,7 @@ def _small_pages(record: MemberRecord, name: str, heading: str, style: SheetStyl
     keep their scale, the rest on pages that follow."""
     form, say = style.page, style.say
     listing = plate_listing(record, style)
-    figures, notes, top = _figures(record, style)
+    figures, notes, top = _figures(record, name, style)
     box = (form.left, form.clear_bottom, form.right, top)
     blocks = [Block("", (), (), tuple(notes), box, figures)]
     seats = _seats_block(record, style)
@@ -215,11 +218,11 @@ def _seats(
 def plate_listing(record: MemberRecord, style: SheetStyle) -> Listing:
     """The plates with size, mass, quantity, and what laying them flat costs."""
     say = style.say
-    header = style.said(("mark", "t", "length", "width", "mass, kg", "max error", "strain, %"))
+    header = style.headings(("mark", "t", "length", "width", "mass, kg", "max error", "strain, %"))
     rows = tuple(
         (
             plate.mark,
-            f"{plate.thickness:g}",
+            style.thickness(plate.thickness),
             style.length(plate.length),
             style.length(plate.width),
             fixed(plate.mass, 1),
@@ -233,9 +236,10 @@ def plate_listing(record: MemberRecord, style: SheetStyle) -> Listing:
 
 
 def _figures(
-    record: MemberRecord, style: SheetStyle
+    record: MemberRecord, name: str, style: SheetStyle
 ) -> tuple[tuple[Table, ...], list[Text], float]:
-    """Figures, pieces, zones and warnings above the title block, and the height they reach."""
+    """Figures, pieces, zones and warnings above the title block, and the height they reach; name:
+    of the member, or of the piece that the record is of."""
     say, form = style.say, style.page
     rows = [
         (
@@ -268,8 +272,8 @@ def _figures(
         digits = 3 if style.site.unit == "m" else 0
         rows.append(
             (
-                say("CG in the model, mm"),
-                _triple(centre, 0),
+                say("CG in the model, {}", style.measured_in),
+                ", ".join(style.measure(value, 0) for value in centre.tolist()),
                 say("CG on the site, {}", style.site.unit),
                 _triple(style.site.of(centre), digits),
             )
@@ -298,7 +302,8 @@ def _figures(
                 continue
         y += table.height + 2.0
         more.append(table)
-    header = (say("member"), record.member, say("figure"), say("value"))
+    what = say("member" if name == record.member else "piece")
+    header = (what, name, say("figure"), say("value"))
     widths = widths_of(header, rows)
     spare = max(0.0, width - sum(widths))
     widths = tuple(w + spare / 4.0 for w in widths)

@@ -21,7 +21,7 @@ from .sheet_overview import SCALES
 from .sheet_pack import Block, filled, packed, shelf_height
 from .sheet_page import TEXT, Page, Subject, finished
 from .sheet_style import PLAIN_STYLE, SheetStyle, fixed
-from .sheet_tables import ROW_HEIGHT, TITLE_ROOM, Listing, table_blocks
+from .sheet_tables import ROW_HEIGHT, TITLE_ROOM, Listing, even_rows, table_blocks
 from .sheet_weld import kind_letters, symbol_blocks
 
 BRANCHES = (
@@ -172,13 +172,14 @@ def node_pages(
 
 def _arranged(views: list[Block], rest: list[Block], area) -> list[list[Block]]:
     """The blocks of each page: the views, the rest in rows of its own where one page holds all;
-    else filled in without rows, at need the larger first; else on several pages."""
+    else filled in without rows, at need those of the largest area, height or width first; else on
+    several pages."""
     left, bottom, right, top = area
     pages = packed([views, rest], area)
     if len(pages) == 1:
         return pages
-    for order in (rest, sorted(rest, key=lambda block: -block.size[0] * block.size[1])):
-        blocks = [*views, *order]
+    for order in (lambda _: 0, math.prod, lambda size: size[::-1], lambda size: size):
+        blocks = [*views, *sorted(rest, key=lambda b, order=order: order(b.size), reverse=True)]
         places, high = filled([block.size for block in blocks], right - left)
         if high <= top - bottom:
             spots = zip(blocks, places, strict=True)
@@ -203,7 +204,9 @@ def _below(
         tables = [
             block
             for listing in given
-            for block in table_blocks(listing, _even(len(listing.rows), min(rows, most)), continued)
+            for block in table_blocks(
+                listing, even_rows(len(listing.rows), min(rows, most)), continued
+            )
         ]
         # Those of about one height side by side.
         blocks = [*sorted([*tables, *shapes], key=lambda block: -block.size[1]), *symbols]
@@ -211,11 +214,6 @@ def _below(
         if best is None or high < best[0] - 4.0:
             best = (high, blocks)
     return best[1]
-
-
-def _even(count: int, most: int) -> int:
-    """Rows of each part of a table that is parted so that none has more than `most`."""
-    return -(-count // -(-count // most))
 
 
 def listings(
@@ -228,7 +226,7 @@ def listings(
     digits = 3 if style.site.unit == "m" else 1
     model = np.array([node.x, node.y, node.z])
     places = (
-        (say("model, mm"), *(fixed(value, 1) for value in model)),
+        (say("model, {}", style.measured_in), *(style.measure(value) for value in model.tolist())),
         (
             say("site, {}", style.site.unit),
             *(fixed(value, digits) for value in style.site.of(model).tolist()),
@@ -238,14 +236,14 @@ def listings(
         Listing(title, style.said(BRANCHES), _branches(joinings, style), "<>>>><>><"),
         Listing(say("Place"), (say("system"), "x", "y", "z"), places, "<>>>"),
         Listing(
-            say("Flange steps, mm"),
+            say("Flange steps, {}", style.measured_in),
             style.said(STEPS),
             tuple(_step(own.node, step, style) for own in joinings for step in own.node.steps),
             "<<<<<>>>><",
         ),
         Listing(
             say("Plates that end at the node"),
-            style.said(ENDS),
+            style.headings(ENDS),
             tuple(_end(end, style) for own in joinings for end in own.ends),
             "<<<>>>><",
         ),
@@ -264,7 +262,7 @@ def _branches(joinings: Sequence[Joining], style: SheetStyle) -> tuple[tuple[str
             style.length(node.s_other),
             style.length(node.s_through),
             fixed(math.degrees(node.angle), 2),
-            fixed(node.axis_distance, 2),
+            style.measure(node.axis_distance, 2),
             say(node.type),
             style.fine(node.gap),
             style.length(node.stub_length) if node.type == "stub" else "–",
@@ -288,8 +286,8 @@ def _step(node: NodeRecord, step: FlangeStep, style: SheetStyle) -> tuple[str, .
         say(step.face),
         say(step.edge),
         say(step.through_face),
-        fixed(step.step, 2),
-        fixed(node.limits[0], 2) if ruled else "–",
+        style.measure(step.step, 2),
+        style.measure(node.limits[0], 2) if ruled else "–",
         fixed(math.degrees(step.angle), 2),
         fixed(math.degrees(node.limits[1]), 2) if ruled else "–",
         say("kept" if within else "broken") if ruled else say("not in line"),
@@ -301,7 +299,7 @@ def _end(end: PlateEnd, style: SheetStyle) -> tuple[str, ...]:
         end.plate.mark,
         end.line,
         _side(end.way, style),
-        f"{end.plate.thickness:g}",
+        style.thickness(end.plate.thickness),
         style.length(end.length),
         _range(end.bevel),
         _range(end.dihedral),

@@ -14,7 +14,7 @@ from .sheet_inner import label_inner
 from .sheet_labels import Labels, as_points, label_along, label_beyond, segments_of
 from .sheet_node_joining import Joining, node_frame
 from .sheet_pack import Block
-from .sheet_pattern import DRAWN_TOLERANCE, dimensions, simplified
+from .sheet_pattern import DRAWN_TOLERANCE, dimensions, opening_text, simplified
 from .sheet_style import SheetStyle, fixed
 from .sheet_tables import Listing
 
@@ -93,7 +93,7 @@ def diaphragm_listing(plates: Sequence[DevelopedPlate], style: SheetStyle) -> Li
     rows = tuple(
         (
             plate.mark,
-            f"{plate.thickness:g}",
+            style.thickness(plate.thickness),
             style.length(plate.length),
             style.length(plate.width),
             snipe_text(plate, style) or "–",
@@ -102,7 +102,7 @@ def diaphragm_listing(plates: Sequence[DevelopedPlate], style: SheetStyle) -> Li
         )
         for plate in plates
     )
-    return Listing(style.say("Diaphragms inside"), style.said(DIAPHRAGMS), rows, "<>>><<>")
+    return Listing(style.say("Diaphragms inside"), style.headings(DIAPHRAGMS), rows, "<>>><<>")
 
 
 def place_listing(
@@ -112,19 +112,29 @@ def place_listing(
     style: SheetStyle,
 ) -> Listing:
     """Where each diaphragm stands: the middle of each of its sides at a wall, at mid-thickness,
-    from the node; of one without such sides its centre of gravity."""
+    from the node; of one without such sides its centre of gravity. Where a wall stands askew, what
+    their square edges leave open."""
     node = joinings[0].node
     origin = np.array([node.x, node.y, node.z])
     frame = node_frame(through, origin)
     rows = []
     for plate in plates:
-        sides = [(style.say(one.face), one.length, one.middle) for one in plate.welded]
-        for face, long, middle in sides or [(style.say("CG"), None, plate.centre_of_gravity)]:
+        openings = {bevel.edge: bevel.opening for bevel in plate.bevels if bevel.opening[1]}
+        sides = [
+            (style.say(one.face), one.length, one.middle, openings.get(one.edge))
+            for one in plate.welded
+        ]
+        whole = (style.say("CG"), None, plate.centre_of_gravity, None)
+        for face, long, middle, opening in sides or [whole]:
             place = ((middle - origin) * frame).sum(axis=1)
             size = "–" if long is None else style.length(long)
-            rows.append((plate.mark, face, size, *map(style.length, place.tolist())))
+            edge = opening_text(*opening, style) if opening else style.say("square")
+            rows.append((plate.mark, face, size, *map(style.length, place.tolist()), edge))
     title = style.say("Places of diaphragms from the node")
-    return Listing(title, style.said(PLACES), tuple(rows), "<<>>>>")
+    columns, align = (*PLACES, "edge"), "<<>>>><"
+    if all(row[-1] == style.say("square") for row in rows):
+        columns, align, rows = PLACES, align[:-1], [row[:-1] for row in rows]
+    return Listing(title, style.said(columns), tuple(rows), align)
 
 
 def diaphragm_block(plate: DevelopedPlate, scale: int, style: SheetStyle) -> Block:
@@ -153,7 +163,7 @@ def diaphragm_block(plate: DevelopedPlate, scale: int, style: SheetStyle) -> Blo
     bounds = np.array([*labels.bounds, (0.0, 0.0, *(size / scale).tolist())])
     low, high = bounds[:, :2].min(axis=0), bounds[:, 2:].max(axis=0)
     lines, figures = dimensions(size, scale, float(low[1]) - 5.5, float(high[0]) + 5.5, style)
-    title = f"{plate.mark}  t{plate.thickness:g}  1:{scale}"
+    title = f"{plate.mark}  t {style.plate(plate.thickness)}  1:{scale}"
     texts = [*labels.texts, *figures, Text(float(low[0]), float(high[1]) + 2.5, MARK, title)]
     boxes = np.concatenate([text_box(text) for text in texts])
     lines = [*labels.leaders, *lines]

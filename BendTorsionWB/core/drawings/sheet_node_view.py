@@ -28,7 +28,7 @@ from .sheet_labels import (
 from .sheet_node_joining import Joining, node_frame
 from .sheet_node_weld import Pointed, point_at, pointed
 from .sheet_pack import GAP, Block
-from .sheet_style import SheetStyle, fixed
+from .sheet_style import SheetStyle
 
 HEADING = 3.0
 LABEL_ROOM = 15.0
@@ -316,7 +316,7 @@ def _end_label(labels: Labels, name: str, line: np.ndarray) -> None:
 
 def _gap_label(labels: Labels, joining: Joining, place, paper, style: SheetStyle) -> None:
     """The root gap, at a corner of a cut."""
-    text = style.say("root gap {}", fixed(joining.node.gap, 1))
+    text = style.say("root gap {}", style.fine(joining.node.gap))
     for end in joining.ends:
         for corner in (end.corners - place) @ paper:
             if label_beyond(labels, text, corner, 0.5 * corner):
@@ -325,7 +325,7 @@ def _gap_label(labels: Labels, joining: Joining, place, paper, style: SheetStyle
 
 def _stub_label(labels: Labels, joining: Joining, place, paper, style: SheetStyle) -> None:
     """The field joint of a stub, at a corner of one."""
-    text = style.say("field joint, stub {}", fixed(joining.node.stub_length, 0))
+    text = style.say("field joint, stub {}", style.length(joining.node.stub_length, 0))
     for end in joining.ends:
         lines = ring(end.plate)
         count = len(end.plate.lines)

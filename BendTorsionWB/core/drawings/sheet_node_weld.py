@@ -65,7 +65,7 @@ def node_weld_listing(welds: Sequence[Weld], style: SheetStyle) -> Listing:
     """The list of a node's welds."""
     letters = kind_letters(welds)
     rows = tuple(_row(weld, letters[weld_kind(weld)], style) for weld in welds)
-    return Listing(style.say("Welds"), style.said(WELDS), rows, "<<>>><>><")
+    return Listing(style.say("Welds"), style.headings(WELDS), rows, "<<>>><>><")
 
 
 def _row(weld: Weld, letter: str, style: SheetStyle) -> tuple[str, ...]:
@@ -73,7 +73,7 @@ def _row(weld: Weld, letter: str, style: SheetStyle) -> tuple[str, ...]:
     return (
         weld.mark,
         " / ".join(on_face(text, style) for text in weld.plates),
-        "/".join(dict.fromkeys(f"{t:g}" for t in weld.thickness)),
+        "/".join(map(style.thickness, dict.fromkeys(weld.thickness))),
         style.length(weld.length),
         f"{math.degrees(weld.dihedral):.1f}",
         letter,

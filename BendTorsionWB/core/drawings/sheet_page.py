@@ -57,8 +57,8 @@ def finished(page: Page, subject: Subject, style: SheetStyle, number: int, of: i
     """The page with its frame, title block and number."""
     say, form = style.say, style.page
     marks_width = TITLE_WIDTH - PROJECTION_CELL
-    units = say("mm") if style.unit == "mm" else say("ft-in; tables in")
-    name, sections, marks, mass = map(say, subject.labels)
+    units = say("mm") if style.unit == "mm" else say("ft-in; tables in; t: in (mm)")
+    name, sections, marks, mass = style.headings(subject.labels)
     rows = (
         (
             (say("project"), style.project, 90.0),

@@ -251,6 +251,13 @@ def bevel_text(bevel: EdgeBevel, style: SheetStyle) -> str:
     return ", ".join(bevels + chamfer)
 
 
+def opening_text(angle: float, face: str, style: SheetStyle) -> str:
+    """What a side cut square leaves open to a wall askew, rad, and on which face,
+    `up` or `down`."""
+    where = "open {}° marked face" if face == "up" else "open {}° other face"
+    return style.say(where, fixed(np.degrees(angle), 1).removesuffix(".0"))
+
+
 def chamfer_text(bevel: EdgeBevel, side: str, style: SheetStyle) -> str:
     """The chamfer of an edge on its `outer` or `inner` face: slope and depth; empty without."""
     chamfer = bevel.chamfer
@@ -344,8 +351,7 @@ def _caption(
     ]
     top = y + CAPTION_ROW * len(lines) + 0.6
     start = x + text_width(plate.mark, MARK_HEIGHT) + 5.0
-    # Stock is ordered by its exact thickness, which sixteenths of an inch would not tell.
-    stock = f"PL {plate.thickness:g} mm"
+    stock = f"PL {style.plate(plate.thickness)}"
     return [
         Text(x, top, MARK_HEIGHT, plate.mark),
         Text(start, top, CAPTION_HEIGHT, f"{stock}  {plate.material}".rstrip()),

@@ -14,21 +14,13 @@ from ..welds.weld_record import Weld
 from .sheet import Text, wrapped
 from .sheet_detail import detail_blocks
 from .sheet_overview import SCALES
-from .sheet_pack import GAP, Block, packed, shelf_height
+from .sheet_pack import GAP, Block, filled
 from .sheet_page import TEXT, Page
-from .sheet_pattern import CAPTION_ROOM, CAPTION_ROW, chamfer_text, pattern_block
+from .sheet_pattern import chamfer_text, opening_text, pattern_block
+from .sheet_plate_layout import Column, Fitting, columns_of, rows_beside, standing
 from .sheet_style import SheetStyle, fixed
-from .sheet_tables import ROW_HEIGHT, TITLE_ROOM, Listing, table_blocks
+from .sheet_tables import Listing, table_blocks
 
-STATION_ROOM = 16.0
-"""mm on paper that station lines keep at least, where a choice of scale is left."""
-MORE_PAGES = 1.25
-"""Times the fewest pages any scale needs that a larger scale may cost."""
-LABEL_ROOM = (28.0, 18.0)
-"""mm; what labels and dimensions add to a pattern's width and height, about."""
-LEAST_ROWS = 8
-UNDIVIDED = 1.15
-"""Times the height of a pattern that its tables may take beside it for being divided less."""
 MANY_LEFT_OUT = 8
 """Labels without room beyond which a plate that has details names its points there alone."""
 PATTERN_NOTE = (
@@ -47,8 +39,11 @@ POINT_NOTE = (
     "the points P. Edges: grooves by angle against square and depth, +: face cut back; tilt: of "
     "the edge without grooves against square, +: outer face wider; a row for each stretch of one "
     "bevel: s, u: where it begins and ends on the axis and on the pattern, of E lines along the "
-    "line from the first edge."
+    "line from the first edge; chamfer 1:n × d: machined off that face after cutting, d deep at "
+    "the edge and running out over n × d."
 )
+EDGE_PLACES, EDGE_CUTS = (0, 1, 2, 3, 4, 5), (0, 2, 6, 7, 8, 9, 10, 11)
+"""Columns of the list of edges where it is two."""
 SURFACES = {"mid": "mid-surface", "outer": "outer face", "inner": "inner face"}
 CONTOURS = {
     "top": "marking face",
@@ -90,117 +85,160 @@ def _drawn_pages(
     bottom = max(bottom, foot + 3.2 * len(lines) + 2.0)
     area = (form.left, bottom, form.right, form.top)
     listings = {plate.mark: _listings(plate, record, style) for plate in plates}
-    scale = _scale(plates, listings, area)
-    for scale in (s for s in SCALES if s >= scale):
-        blocks = [pattern_block(plate, scale, style) for plate in plates]
-        sizes = [block.size for block in blocks]
-        if all(w <= area[2] - area[0] and h <= area[3] - area[1] for w, h in sizes):
-            break
-    crowded = [p for p, b in zip(plates, blocks, strict=True) if b.left_out and p.lines]
-    room = (area[2] - area[0], area[3] - area[1])
-    details = detail_blocks(crowded, scale, room, style)
-    detailed = {block.mark for own in details.values() for block in own}
-    blocks = [
-        pattern_block(plate, scale, style, bare=True)
-        if block.left_out > MANY_LEFT_OUT and plate.mark in detailed
-        else block
-        for plate, block in zip(plates, blocks, strict=True)
-    ]
-    groups = [
-        [block, *_tables(block.size, listings[plate.mark], area, say("continued"))]
-        for plate, block in zip(plates, blocks, strict=True)
-    ]
-    sets = [(heading, scale, groups)]
-    for larger, own in details.items():
-        sets.append((say("flat patterns: details"), larger, [[block] for block in own]))
+    sets, details = _filled_pages(plates, listings, area, style)
+    pages = [(heading, scale, blocks) for scale, blocks in sets]
+    for larger, own in sorted(details.items(), reverse=True):
+        title = say("flat patterns: details")
+        rest = [own]
+        while rest:
+            blocks, rest = standing(rest, columns_of(area, 1), area[3])
+            pages.append((title, larger, blocks))
     return [
         Page(
             title,
             tuple(dict.fromkeys(block.mark for block in page if block.mark)),
-            f"1:{one}",
+            f"1:{scale}" if any(block.views for block in page) else "–",
             tuple(view for block in page for view in block.views),
             tuple(line for block in page for line in block.lines),
             (*(text for block in page for text in block.texts), *texts),
             tuple(table for block in page for table in block.tables),
         )
-        for title, one, own in sets
-        for page in packed(own, area)
+        for title, scale, page in pages
     ]
 
 
-def _scale(plates, listings, area) -> int:
-    """The one scale of the member's patterns: the largest that fits every plate and needs few
-    pages, of those at which station lines do not come too close."""
-    width, height = area[2] - area[0], area[3] - area[1]
-    fitting = [
-        scale
-        for scale in SCALES
-        if all(
-            wide <= width and high <= height
-            for wide, high in (_estimate(plate, scale) for plate in plates)
-        )
-    ] or [SCALES[-1]]
-    pages: dict[int, int] = {}
-    for scale in fitting:
-        if pages and 500.0 / scale < STATION_ROOM:
-            break
-        pages[scale] = count = 0
-        left = 0.0
-        for plate in plates:
-            size = _estimate(plate, scale)
-            high = _most_rows(size, listings[plate.mark], area)[1]
-            if high > left:
-                count, left = count + max(1, math.ceil(high / height)), height
-            left -= high + GAP
-        pages[scale] = count
-    enough = MORE_PAGES * min(pages.values())
-    return next(scale for scale, count in pages.items() if count <= enough)
+def _filled_pages(
+    plates: Sequence[DevelopedPlate],
+    listings: dict[str, list[Listing]],
+    area: tuple[float, float, float, float],
+    style: SheetStyle,
+) -> tuple[list[tuple[int, list[Block]]], dict[int, list[Block]]]:
+    """The pages of plates in order, each with its scale: as many plates as a page holds at the
+    scale of all, drawn as large as it then has room for; and details by their scale."""
+    fitting = Fitting(plates, listings, area)
+    drawn = _Drawn(area, style)
+    usual = fitting.scale()
+    pages: list[tuple[int, list[Block]]] = []
+    details: dict[int, list[Block]] = {}
+    start, carried = 0, []
+    while start < len(plates) or carried:
+        shown = plates[start : start + fitting.page(start, usual)]
+        least = max([usual, *(drawn.scale(plate, usual) for plate in shown)])
+        for scale, count in fitting.tries(shown, least):
+            columns = columns_of(area, count)
+            # With tables as whole as they can be, or cut so that plates take the least height.
+            for uncut in (True, False):
+                groups = [drawn.group(p, scale, columns[0], listings, 0.0, uncut) for p in shown]
+                placed, rest = standing([*carried, *groups], columns, area[3])
+                if not rest:
+                    break
+            if not rest:
+                break
+        whole = [group for group in rest if group[0].views]
+        if carried and shown and len(whole) == len(shown):
+            # The rest of a plate would have a page for itself: the next one is begun below it.
+            shown, (column,) = shown[:1], columns_of(area, 1)
+            taken = filled([block.size for block in carried[0]], column.width)[1] + GAP
+            scale = drawn.scale(shown[0], usual)
+            begun = drawn.group(shown[0], scale, column, listings, taken)
+            placed, rest = standing([*carried, begun], [column], area[3], True)
+            whole = [group for group in rest if group[0].views]
+        if not placed:
+            # A block larger than a page.
+            placed = [rest[0][0].moved(area[0] - rest[0][0].box[0], area[3] - rest[0][0].box[3])]
+            rest = [group for group in (rest[0][1:], *rest[1:]) if group]
+            whole = [group for group in rest if group[0].views]
+        pages.append((scale, placed))
+        done = shown[: len(shown) - len(whole)]
+        for plate in done:
+            for larger, blocks in drawn.details(plate, scale).items():
+                details.setdefault(larger, []).extend(blocks)
+        carried = [group for group in rest if not group[0].views]
+        start += len(done)
+    return pages, details
 
 
-def _estimate(plate: DevelopedPlate, scale: float) -> tuple[float, float]:
-    """About the size of a pattern's block, mm."""
-    wide = max(plate.length / scale + LABEL_ROOM[0], CAPTION_ROOM)
-    lines = 2 + math.ceil(400.0 / wide)
-    return wide, plate.width / scale + LABEL_ROOM[1] + 6.0 + CAPTION_ROW * lines
+class _Drawn:
+    """Patterns as they are drawn at each scale, and the details of those with labels left out; each
+    once."""
 
+    def __init__(self, area: tuple[float, float, float, float], style: SheetStyle):
+        self._room, self._style = (area[2] - area[0], area[3] - area[1]), style
+        self._blocks: dict[tuple[str, int], Block] = {}
+        self._bare: dict[tuple[str, int], Block] = {}
+        self._details: dict[tuple[str, int], dict[int, list[Block]]] = {}
 
-def _tables(size, listings: Sequence[Listing], area, continued: str) -> list[Block]:
-    """The tables of a plate, cut so that with its pattern they take the least height."""
-    most = _most_rows(size, listings, area)[0]
-    return [block for listing in listings for block in table_blocks(listing, most, continued)]
+    def details(self, plate: DevelopedPlate, scale: int) -> dict[int, list[Block]]:
+        """By their scale, the details of a plate with labels that have no room at 1:scale."""
+        key = (plate.mark, scale)
+        if key not in self._details:
+            crowded = [plate] if self._labelled(plate, scale).left_out and plate.lines else []
+            self._details[key] = detail_blocks(crowded, scale, self._room, self._style)
+        return self._details[key]
 
+    def _labelled(self, plate: DevelopedPlate, scale: int) -> Block:
+        """The pattern with all labels that have room at 1:scale."""
+        key = (plate.mark, scale)
+        if key not in self._blocks:
+            self._blocks[key] = pattern_block(plate, scale, self._style)
+        return self._blocks[key]
 
-def _most_rows(size, listings: Sequence[Listing], area) -> tuple[int, float]:
-    """How many rows a table has at most, and the height of pattern and tables then, mm."""
-    width, height = area[2] - area[0], area[3] - area[1]
-    counts = [(sum(listing.widths), len(listing.rows), listing) for listing in listings]
-    longest = max((rows for _, rows, _ in counts), default=1)
-    most = min(longest, int((height - TITLE_ROOM) // ROW_HEIGHT) - 1)
-    found = []
-    for cap in np.unique(np.geomspace(min(LEAST_ROWS, most), most, 16).astype(int)).tolist():
-        sizes = [
-            (wide, TITLE_ROOM + ROW_HEIGHT * (min(listing.most(cap), rows - start) + 1))
-            for wide, rows, listing in counts
-            for start in range(0, rows, listing.most(cap))
-        ]
-        high = shelf_height([size, *sizes], width)
-        # A plate of several pages fills them from the first on.
-        count = 1 if high <= height else _page_count([size, *sizes], area)
-        found.append((count, high, cap))
-    count, least, _ = min(found)
-    # Whole tables rather than parts of them, where they are hardly higher.
-    enough = max(least + 1.0, UNDIVIDED * size[1])
-    return max((cap, high) for own, high, cap in found if own == count and high <= enough)
+    def block(self, plate: DevelopedPlate, scale: int) -> Block:
+        """The pattern at 1:scale; where too many labels have no room, those in details are left to
+        these."""
+        key, block = (plate.mark, scale), self._labelled(plate, scale)
+        if block.left_out <= MANY_LEFT_OUT or not self.details(plate, scale):
+            return block
+        if key not in self._bare:
+            self._bare[key] = pattern_block(plate, scale, self._style, bare=True)
+        return self._bare[key]
 
+    def scale(self, plate: DevelopedPlate, usual: int) -> int:
+        """The usual scale, or the largest smaller one at which the pattern as it is drawn fits on
+        a page."""
+        for scale in (one for one in SCALES if one >= usual):
+            wide, high = self.block(plate, scale).size
+            if wide <= self._room[0] and high <= self._room[1]:
+                break
+        return scale
 
-def _page_count(sizes: Sequence[tuple[float, float]], area) -> int:
-    blocks = [Block("", (), (), (), (0.0, 0.0, wide, high)) for wide, high in sizes]
-    return len(packed([blocks], area))
+    def group(
+        self,
+        plate: DevelopedPlate,
+        scale: int,
+        column: Column,
+        listings: dict[str, list[Listing]],
+        taken: float = 0.0,
+        whole: bool = False,
+    ) -> list[Block]:
+        """The pattern at 1:scale with its tables for a column; taken, whole: as `rows_beside`."""
+        block, own = self.block(plate, scale), listings[plate.mark]
+        most = rows_beside(block.size, own, column, taken, whole)[0]
+        words = self._style.say("continued")
+        return [block, *(b for listing in own for b in table_blocks(listing, most, words))]
 
 
 def _listings(plate: DevelopedPlate, record: MemberRecord, style: SheetStyle) -> list[Listing]:
-    found = [_points(plate, style), _panels(plate, style), _edges(plate, record, style)]
+    edges = _edges(plate, record, style)
+    found = [_points(plate, style), _panels(plate, style)]
+    found += _narrower(edges, style.page.right - style.page.left)
     return [listing for listing in found if listing.rows]
+
+
+def _narrower(edges: Listing, room: float) -> list[Listing]:
+    """The edges in one list; where that is wider than a page, where they are in one, and how they
+    are cut in another, whose rows tell their stretch by where it begins."""
+    if sum(edges.widths) <= room:
+        return [edges]
+    return [
+        Listing(
+            edges.title,
+            tuple(edges.header[k] for k in columns),
+            tuple(tuple(row[k] for k in columns) for row in edges.rows),
+            "".join(edges.align[k] for k in columns),
+        )
+        for columns in (EDGE_PLACES, EDGE_CUTS)
+    ]
 
 
 def _points(plate: DevelopedPlate, style: SheetStyle) -> Listing:
@@ -257,7 +295,8 @@ def _edges(plate: DevelopedPlate, record: MemberRecord, style: SheetStyle) -> Li
     faces = {other.mark: other.face for other in record.plates}
     long = {edge.edge: edge for edge in plate.edges}
     rows = []
-    for name in dict.fromkeys((*long, *(("E-1", "E-2") if plate.lines else ()))):
+    sides = ("E-1", "E-2") if plate.lines else (bevel.edge for bevel in plate.bevels)
+    for name in dict.fromkeys((*long, *sides)):
         edge = long.get(name)
         bevels = [bevel for bevel in plate.bevels if bevel.edge == name]
         for bevel in bevels:
@@ -303,6 +342,12 @@ def _edge_row(
             or "–"
             for one, side in ((bevel.outer, "outer"), (bevel.inner, "inner"))
         )
+        if bevel.opening[1]:
+            # A flat part is marked on its outer face.
+            opened = opening_text(*bevel.opening, style)
+            grooves = (
+                (opened, say("square")) if bevel.opening[1] == "up" else (say("square"), opened)
+            )
     tilt = fixed(math.degrees(bevel.natural), 1) if bevel is not None else "0.0"
     return (
         say(name),

@@ -14,7 +14,7 @@ from .sheet_pack import Block, packed
 from .sheet_page import Page
 from .sheet_references import PLATE_LIST, reference
 from .sheet_style import SheetStyle
-from .sheet_weld import weld_groups
+from .sheet_weld import list_groups, weld_groups
 
 CAPTION, FIGURES = 2.5, 1.8
 SECTION_ROOM = 62.0
@@ -26,14 +26,16 @@ _WHAT = {"E": "end", "F": "fold", "M": "mid-length"}
 NOTE = (
     "Sections are seen along +s, up as the section's z axis; cross: the axis, to which dimensions "
     "are given. Weld symbols: the arrow points at the outer face of the plate that is cut; welds "
-    "without a depth go through the whole plate. t: thickness, mm."
+    "without a depth go through the whole plate. t: thickness, {}."
 )
 
 
 def section_pages(record: MemberRecord, heading: str, style: SheetStyle) -> list[Page]:
     """Pages of the sections and welds of a record; none when it has neither."""
     form = style.page
-    lines = wrapped(style.say(NOTE), FIGURES, form.note_width or form.right - form.left)
+    lines = wrapped(
+        style.say(NOTE, style.thickness_unit), FIGURES, form.note_width or form.right - form.left
+    )
     foot = form.bottom + 1.0 if form.note_width else form.clear_bottom
     bottom = form.clear_bottom if form.note_width else foot + 3.2 * len(lines) + 2.0
     notes = [
@@ -45,7 +47,14 @@ def section_pages(record: MemberRecord, heading: str, style: SheetStyle) -> list
     scale = _scale(record.controls)
     if record.controls:
         groups.append([section_block(one, scale, style) for one in record.controls])
-    groups += weld_groups(record, scale, area, style)
+    symbols, *maps = weld_groups(record, scale, area, style) or [[]]
+    groups += [symbols] if symbols else []
+    # Lists are whole and follow the map, unless parts side by side or another order save a page.
+    tried = []
+    for whole in (True, False):
+        lists = list_groups(record, area, whole, style)
+        tried += [packed([*groups, *own], area) for own in ((*maps, *lists), (*lists, *maps))]
+    pages = min(tried, key=len)
     return [
         Page(
             heading,
@@ -56,7 +65,7 @@ def section_pages(record: MemberRecord, heading: str, style: SheetStyle) -> list
             (*(text for block in page for text in block.texts), *notes),
             tuple(table for block in page for table in block.tables),
         )
-        for page in packed(groups, area)
+        for page in pages
     ]
 
 
@@ -116,7 +125,7 @@ def section_block(section: ControlSection, scale: int, style: SheetStyle) -> Blo
         normal = np.array([along[1], -along[0]]) / max(np.hypot(*along), 1e-9)
         normal = normal if (own - middle) @ normal > 0.0 else -normal
         reach = np.max((ring / scale - own) @ normal)
-        text = f"{plate.mark} t{plate.thickness:g}"
+        text = f"{plate.mark} t{style.thickness(plate.thickness)}"
         out = own + normal * reach
         beyond = ((out, own - normal), (own - normal * reach, own + normal))
         # Dimensions stand right and below, so the marks of those sides go inside.

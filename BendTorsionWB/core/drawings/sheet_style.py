@@ -14,9 +14,19 @@ STANDARDS = ("ISO", "AWS")
 """ISO: first angle, weld symbols of ISO 2553 and GB/T 324; AWS: third angle, those of AWS A2.4."""
 LANGUAGES = ("en", "zh")
 LENGTH_UNITS = ("mm", "ft-in")
+INCH_HEADINGS = {
+    "t": "t, in (mm)",
+    "sections": "sections, mm",
+    "centre x, y, z": "centre x, y, z, in",
+}
+"""Headings that need their units on sheets in inches: sections are named by their millimetres."""
 _FIGURE = re.compile(r"\d+(?:\.\d+)?")
+_SHAPES = {"slot": "slot {}", "manhole": "manhole {}"}
+"""Words before the sizes of an opening, with the label of the shape."""
 TITLE_WIDTH, TITLE_ROW, TITLE_ROWS = 180.0, 8.4, 5
 INCH = 25.4
+SAME_THICKNESS = 0.01
+"""mm; a plate nearer than this to whole sixteenths of an inch is rolled to them."""
 
 
 @dataclass(frozen=True)
@@ -124,6 +134,11 @@ class SheetStyle:
         """Several labels, such as the headings of a table."""
         return tuple(map(self.say, texts))
 
+    def headings(self, names: tuple[str, ...]) -> tuple[str, ...]:
+        """Several labels, those of INCH_HEADINGS with their units on sheets in inches."""
+        inches = self.unit == "ft-in"
+        return self.said(tuple(INCH_HEADINGS.get(n, n) for n in names) if inches else names)
+
     def length(self, value: float, digits: int = 1) -> str:
         """A length, mm, as it is written: with digits of a millimetre, or to 1/16 inch."""
         return feet_inches(value) if self.unit == "ft-in" else fixed(value, digits)
@@ -138,13 +153,37 @@ class SheetStyle:
         inches at least as fine, as sixteenths may differ from it by a millimetre."""
         return f'{self.measure(value)}"' if self.unit == "ft-in" else fixed(value, 1)
 
+    def thickness(self, value: float) -> str:
+        """A plate's thickness, mm, in tables headed `t`. On sheets in inches a plate
+        rolled to a fraction is told by it, `5/8`; one rolled in millimetres by decimal inches with
+        its millimetres, by which it is ordered, in brackets: `0.630 (16)`."""
+        if self.unit == "mm":
+            return f"{value:g}"
+        sixteenths = round(value / INCH * 16.0)
+        if sixteenths and abs(value - sixteenths * INCH / 16.0) < SAME_THICKNESS:
+            return feet_inches(value, foot=False).removesuffix('"')
+        return f"{fixed(value / INCH, 3)} ({value:g})"
+
+    @property
+    def thickness_unit(self) -> str:
+        """The unit of `thickness`."""
+        return "in (mm)" if self.unit == "ft-in" else "mm"
+
+    def plate(self, thickness: float) -> str:
+        """A thickness with its units, as plates are ordered: `16 mm`, `5/8"`, `0.630" (16 mm)`."""
+        if self.unit == "mm":
+            return f"{thickness:g} mm"
+        inches, bracket, metric = self.thickness(thickness).partition(" (")
+        return f'{inches}" ({metric.removesuffix(")")} mm)' if bracket else f'{inches}"'
+
     def shape(self, title: str) -> str:
-        """The shape of an opening, such as `slot 120x40`, or sizes such as `30x6`, as sheets write
-        them: with decimal inches for its millimetres."""
-        is_slot, sizes = title.startswith("slot "), title.removeprefix("slot ")
+        """The shape of an opening, such as `slot 120x40`, `manhole D400`, or sizes such as `30x6`,
+        as sheets write them: with decimal inches for its millimetres."""
+        kind = next((own for own in _SHAPES if title.startswith(f"{own} ")), "")
+        sizes = title.removeprefix(f"{kind} ")
         if self.unit == "ft-in":
             sizes = _FIGURE.sub(lambda figure: self.fine(float(figure[0])), sizes)
-        return self.say("slot {}", sizes) if is_slot else sizes
+        return self.say(_SHAPES[kind], sizes) if kind else sizes
 
     @property
     def measured_in(self) -> str:
@@ -171,10 +210,11 @@ class SheetStyle:
 PLAIN_STYLE = SheetStyle()
 
 
-def feet_inches(value: float) -> str:
-    """A length, mm, in feet, inches and sixteenths: `12'-3 1/16"`, below a foot `3 1/2"`."""
+def feet_inches(value: float, foot: bool = True) -> str:
+    """A length, mm, in feet, inches and sixteenths: `12'-3 1/16"`, below a foot, and without
+    `foot`, `3 1/2"`."""
     sixteenths = int(abs(value) / INCH * 16.0 + 0.5)
-    feet, rest = divmod(sixteenths, 192)
+    feet, rest = divmod(sixteenths, 192) if foot else (0, sixteenths)
     inches, part = divmod(rest, 16)
     whole = 16
     while part and part % 2 == 0:

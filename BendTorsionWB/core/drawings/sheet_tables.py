@@ -77,12 +77,17 @@ def table_blocks(listing: Listing, most: int, continued: str) -> list[Block]:
     return blocks
 
 
+def even_rows(count: int, most: int) -> int:
+    """Rows of each part of a table that is parted so that none has more than `most`."""
+    return -(-count // -(-count // most))
+
+
 def piece_table(record: MemberRecord, x: float, y: float, style: SheetStyle) -> Table | None:
     """The delivery pieces of a member of several, up to MOST_ROWS."""
     if len(record.pieces) < 2:
         return None
     say = style.say
-    header = style.said(
+    header = style.headings(
         ("piece", "from", "to", "starts", "ends", "gap", "parts", "mass, kg", "centre x, y, z")
     )
     rows = [
@@ -95,7 +100,7 @@ def piece_table(record: MemberRecord, x: float, y: float, style: SheetStyle) -> 
             style.fine(own.piece.gap),
             str(len(own.marks)),
             fixed(own.mass, 1),
-            ", ".join(fixed(value, 0) for value in own.centre_of_gravity),
+            ", ".join(style.measure(value, 0) for value in own.centre_of_gravity),
         )
         for own in record.pieces[:MOST_ROWS]
     ]
@@ -177,7 +182,8 @@ def listing_pages(heading: str, listing: Listing, style: SheetStyle, note: str =
     bottom = foot + 3.2 * len(lines) + 2.0 if lines else form.bottom
     pages, start = [], 0
     # A few rows are no single column beside an empty page.
-    even = max(-(-len(listing.rows) // count), LEAST_COLUMN)
+    columns = min(count, -(-len(listing.rows) // LEAST_COLUMN))
+    even = -(-len(listing.rows) // columns)
     while start < len(listing.rows):
         tables = []
         for k in range(count):

@@ -9,6 +9,7 @@ _TITLES = {
     "scale": "比例",
     "member": "构件",
     "sections": "截面",
+    "sections, mm": "截面，mm",
     "content": "内容",
     "plates on this sheet": "本图板件",
     "projection": "投影",
@@ -16,7 +17,7 @@ _TITLES = {
     "member mass (net)": "构件净重",
     "units": "单位",
     "mm": "mm",
-    "ft-in; tables in": "ft-in；表 in",
+    "ft-in; tables in; t: in (mm)": "ft-in；表 in；t：in (mm)",
     "drawing": "图纸编号",
     "drawing of": "图名",
     "extent": "范围",
@@ -74,7 +75,7 @@ _COLUMNS = {
     "mass, kg": "质量 kg",
     "pieces": "运输单元",
     "CG on the site, {}": "现场坐标重心 {}",
-    "CG in the model, mm": "模型坐标重心 mm",
+    "CG in the model, {}": "模型坐标重心 {}",
     "site datum": "现场基准",
     "model origin, {}": "模型原点 {}",
     "rotation, °": "转角 °",
@@ -85,6 +86,7 @@ _COLUMNS = {
     "u": "u",
     "v": "v",
     "t": "t",
+    "t, in (mm)": "t，in (mm)",
     "mark": "编号",
     "max error": "最大误差",
     "strain, %": "应变 %",
@@ -109,8 +111,11 @@ _COLUMNS = {
     "gap": "间隙",
     "parts": "零件数",
     "centre x, y, z": "重心 x, y, z",
+    "centre x, y, z, in": "重心 x, y, z，in",
     "stepped": "错开",
     "square": "直边",
+    "open {}° marked face": "划线面开口 {}°",
+    "open {}° other face": "背面开口 {}°",
     "step": "突变",
     "zone": "区段",
     "folds": "折线",
@@ -159,6 +164,7 @@ _PLATES = {
     "at": "位于",
     "{} over the ends": "总长 {}",
     "slot {}": "长圆孔 {}",
+    "manhole {}": "人孔 {}",
     "forming: {}": "成形：{}",
     "twist {}°/m": "扭转 {}°/m",
     "locked-in stress {} MPa": "残留应力 {} MPa",
@@ -305,20 +311,22 @@ _NOTES = {
     "the points P. Edges: grooves by angle against square and depth, +: face cut back; tilt: of "
     "the edge without grooves against square, +: outer face wider; a row for each stretch of one "
     "bevel: s, u: where it begins and ends on the axis and on the pattern, of E lines along the "
-    "line from the first edge.": (
+    "line from the first edge; chamfer 1:n × d: machined off that face after cutting, d deep at "
+    "the edge and running out over n × d.": (
         "点：s 为轴线弧长；x, y, z 为模型坐标；u, v 为展开坐标；P 在外表面角线上；W 在划线面上、边"
         "缘内侧。分格：平面为成形前；成形为成形后沿曲面；弦长为成形后 P 点间直线。边：坡口为相对直"
         "角的角度与深度，正为该面切去；倾斜为未开坡口边面相对直角的角度，正为外表面较宽；每段"
-        "同一坡口一行：s、u 为其起止处的轴线弧长与展开坐标，E 线为自第一边沿线的距离。"
+        "同一坡口一行：s、u 为其起止处的轴线弧长与展开坐标，E 线为自第一边沿线的距离；"
+        "削斜 1:n × d：切割后在该面加工，边缘处深 d，长 n × d。"
     ),
     "Springback is left to the shop: radii and angles are of the finished plate.": (
         "回弹由工厂考虑：半径与角度为成品值。"
     ),
     "Sections are seen along +s, up as the section's z axis; cross: the axis, to which dimensions "
     "are given. Weld symbols: the arrow points at the outer face of the plate that is cut; welds "
-    "without a depth go through the whole plate. t: thickness, mm.": (
+    "without a depth go through the whole plate. t: thickness, {}.": (
         "截面沿 +s 方向看，上方为截面 z 轴；十字为轴线，尺寸自轴线标注。焊缝符号：箭头指向开坡口板"
-        "的外表面；未注深度者为全熔透。t：板厚 mm。"
+        "的外表面；未注深度者为全熔透。t：板厚 {}。"
     ),
 }
 _NODES = {
@@ -327,7 +335,7 @@ _NODES = {
     "crossing": "交叉",
     "Place": "位置",
     "system": "坐标系",
-    "model, mm": "模型，mm",
+    "model, {}": "模型，{}",
     "site, {}": "现场，{}",
     "branch": "支构件",
     "s of through": "贯通构件 s",
@@ -338,7 +346,7 @@ _NODES = {
     "root gap {}": "根部间隙 {}",
     "field joint, stub {}": "现场接头，牛腿 {}",
     "lands on": "落于面",
-    "Flange steps, mm": "翼缘错台，mm",
+    "Flange steps, {}": "翼缘错台，{}",
     "side of node": "节点侧",
     "before": "前",
     "behind": "后",

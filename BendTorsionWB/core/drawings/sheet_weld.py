@@ -18,7 +18,7 @@ from .sheet import Polyline, Text, View, text_box, text_width, wrapped
 from .sheet_labels import as_points
 from .sheet_pack import Block
 from .sheet_style import SheetStyle, fixed
-from .sheet_tables import ROW_HEIGHT, TITLE_ROOM, Listing, table_blocks
+from .sheet_tables import ROW_HEIGHT, TITLE_ROOM, Listing, even_rows, table_blocks
 from .sheet_weld_map import weld_map_blocks
 from .sheet_weld_symbol import (
     SYMBOL_ROOM,
@@ -29,6 +29,8 @@ from .sheet_weld_symbol import (
 )
 
 CAPTION, FIGURES, ROW = 2.5, 1.8, 2.8
+LEAST_ROWS = 8
+"""Rows of a list of welds beside which the rest begins another column."""
 CAPTION_ROOM = 100.0
 """mm; width of what is said of a symbol at most."""
 
@@ -36,15 +38,26 @@ CAPTION_ROOM = 100.0
 def weld_groups(
     record: MemberRecord, scale: int, area: tuple[float, float, float, float], style: SheetStyle
 ) -> list[list[Block]]:
-    """Blocks of the welds of a record, those of each list to stand together: symbols, map, lists;
+    """Blocks of the welds of a record, the symbols together and then each strip of the map;
     scale: of the section drawn. area: (left, bottom, right, top) of a page, mm."""
     if not record.welds:
         return []
     wide, high = area[2] - area[0], area[3] - area[1]
     letters = kind_letters(record.welds)
     groups = [_section_blocks(record, letters, scale, wide, style)]
-    groups += [[block] for block in weld_map_blocks(record, letters, (wide, high), style)]
-    groups.append(symbol_blocks(record.welds, letters, style))
+    groups[0] += symbol_blocks(record.welds, letters, style)
+    return groups + [[block] for block in weld_map_blocks(record, letters, (wide, high), style)]
+
+
+def list_groups(
+    record: MemberRecord, area: tuple[float, float, float, float], whole: bool, style: SheetStyle
+) -> list[list[Block]]:
+    """The lists of the welds of a record and of their backing bars, each a group of tables. whole:
+    those that a page of the area holds are one table, else parts side by side."""
+    if not record.welds:
+        return []
+    wide, high = area[2] - area[0], area[3] - area[1]
+    letters, groups = kind_letters(record.welds), []
     for listing in (
         *weld_listings(record, letters, style, wide),
         bar_listing(record, style),
@@ -53,7 +66,8 @@ def weld_groups(
             listing = listing.within(wide)
             most = int((high - TITLE_ROOM) // ROW_HEIGHT) - 1
             beside = max(1, int((wide + 5.0) // (sum(listing.widths) + 5.0)))
-            rows = min(most, max(8, -(-len(listing.rows) // beside)))
+            parted = max(LEAST_ROWS, -(-len(listing.rows) // beside))
+            rows = even_rows(len(listing.rows), most if whole else min(most, parted))
             groups.append(table_blocks(listing, rows, style.say("continued")))
     return groups
 
@@ -238,7 +252,7 @@ def weld_listings(
 def _listing(title: str, columns: list[str], cells: list[dict], style: SheetStyle) -> Listing:
     rows = tuple(tuple(row.get(name, "") for name in columns) for row in cells)
     return Listing(
-        title, style.said(tuple(columns)), rows, "".join(_COLUMNS[name] for name in columns)
+        title, style.headings(tuple(columns)), rows, "".join(_COLUMNS[name] for name in columns)
     )
 
 
@@ -256,7 +270,7 @@ def _weld_row(weld: Weld, letter: str, member: str, style: SheetStyle) -> tuple[
     return (
         weld.mark,
         " / ".join(mark.removeprefix(f"{member}-") for mark in weld.plates),
-        "/".join(dict.fromkeys(f"{t:g}" for t in weld.thickness)),
+        "/".join(map(style.thickness, dict.fromkeys(weld.thickness))),
         letter,
         say(type_word(prep)),
         f"{math.degrees(prep.angle):g}" if prep.angle else "–",
@@ -275,13 +289,13 @@ def _weld_row(weld: Weld, letter: str, member: str, style: SheetStyle) -> tuple[
 
 def bar_listing(record: MemberRecord, style: SheetStyle) -> Listing:
     """The backing bars of a record's welds."""
-    header = style.said(("mark", "weld", "width", "t", "length", "material", "mass, kg"))
+    header = style.headings(("mark", "weld", "width", "t", "length", "material", "mass, kg"))
     rows = tuple(
         (
             bar.mark,
             bar.weld,
             style.fine(bar.width) if style.unit == "ft-in" else f"{bar.width:g}",
-            f"{bar.thickness:g}",
+            style.thickness(bar.thickness),
             style.length(bar.length),
             bar.material,
             fixed(bar.mass, 1),

@@ -149,7 +149,7 @@ def inner_nodes(contour: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def inside(contour: np.ndarray, points: np.ndarray) -> np.ndarray:
     """(n,) whether points (n, 2) lie inside the contour, by crossings with its dense sides."""
     ring = _ring(contour, 0.01)
-    a, b = ring[None], np.roll(ring, -1, axis=0)[None]
+    a, b = ring[None], np.concatenate([ring[1:], ring[:1]])[None]
     x, y = points[:, :1], points[:, 1:]
     level = (a[..., 1] > y) != (b[..., 1] > y)
     rise = np.where(level, b[..., 1] - a[..., 1], 1.0)

@@ -16,8 +16,9 @@ from ..finding import BendTorsionError, error
 FIT_TOLERANCE = 0.02
 """mm; largest distance of a dense point from the fitted arcs."""
 
-STRAIGHT_SAGITTA = 0.001
-"""mm; an arc no higher than this is a line: the chord sagitta of the dense points themselves."""
+STRAIGHT_SAGITTA = 0.005
+"""mm; an arc lower than this is a line, here and in every file: half of what the figures of NC1
+tell, and readers that flatten arcs of kilometres of radius lose their way."""
 
 CLOSING_GAP = 1e-6
 """mm; runs of an outline are head to tail within this distance."""
@@ -84,7 +85,8 @@ def fit_arcs(points: np.ndarray, tolerance: float = FIT_TOLERANCE) -> np.ndarray
 
     No point is farther than `tolerance` from it; first and last vertex are the first and last
     point exactly, the last bulge is 0. One line or one arc when that is enough; otherwise biarcs,
-    which meet with a common tangent, on intervals of about equal deviation.
+    which meet with a common tangent, on intervals of about equal deviation. Arcs lower than
+    STRAIGHT_SAGITTA, or a quarter of a tolerance that is tighter, are lines.
     Raises BendTorsionError when fewer than two distinct or non-finite points are given.
     """
     points = np.asarray(points, dtype=float)
@@ -111,6 +113,27 @@ def fit_arcs(points: np.ndarray, tolerance: float = FIT_TOLERANCE) -> np.ndarray
         )
     if len(points) == 2:
         return np.column_stack((points, np.zeros(2)))
+    arcs = _fit(points, step, length, tolerance)
+    low = min(STRAIGHT_SAGITTA, 0.25 * tolerance)
+    lines = _straightened(arcs, low)
+    if lines is arcs or deviation(lines, points).max() <= tolerance:
+        return lines
+    return _straightened(_fit(points, step, length, tolerance - low), low)
+
+
+def _straightened(arcs: np.ndarray, low: float) -> np.ndarray:
+    """An arc polyline with lines for its arcs lower than `low`, itself where it has none."""
+    chord = np.hypot(*np.diff(arcs[:, :2], axis=0).T)
+    flat = np.append((0.5 * chord * np.abs(arcs[:-1, 2]) < low) & (arcs[:-1, 2] != 0.0), False)
+    if not flat.any():
+        return arcs
+    lines = arcs.copy()
+    lines[flat, 2] = 0.0
+    return lines
+
+
+def _fit(points: np.ndarray, step: np.ndarray, length: np.ndarray, tolerance: float) -> np.ndarray:
+    """(m, 3) arcs through dense points (k, 2) that are `step` (k - 1, 2), `length` apart."""
     tangent, turn = _tangents(step, length)
     count = max(1, int(np.ceil(_full_turn(turn) / _LARGEST_TURN)))
     if count == 1:
@@ -225,10 +248,6 @@ def _one_arc(points: np.ndarray) -> tuple[float, float]:
     scale = (w * w).sum()
     k = (w * y).sum() / scale if scale else 0.0
     bulge = k * chord / (1.0 + np.sqrt(1.0 + (k * chord) ** 2))
-    if abs(bulge) * chord / 2.0 <= STRAIGHT_SAGITTA:
-        straight = np.abs(y).max()
-        if straight <= STRAIGHT_SAGITTA:
-            return 0.0, float(straight)
     off, along_arc = _off_arc(points[1:-1], start, end, bulge)
     return float(bulge), float(np.abs(off).max()) if along_arc.all() else np.inf
 

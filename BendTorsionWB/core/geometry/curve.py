@@ -37,26 +37,18 @@ class Curve:
     def evaluate(self, u: np.ndarray, order: int = 0) -> list[np.ndarray]:
         """Position and derivatives up to `order` (0 to 2) at parameters u (m,): list of (m, 3)."""
         u = np.asarray(u, float)
-        if self.weights is None:
-            spline = BSpline(self.knots, self.poles, self.degree)
-            return [
-                spline(u)
-                if k == 0
-                else spline.derivative(k)(u)
-                if k <= self.degree
-                else np.zeros((len(u), 3))
-                for k in range(order + 1)
-            ]
-        homogeneous = np.column_stack([self.poles * self.weights[:, None], self.weights])
-        spline = BSpline(self.knots, homogeneous, self.degree)
+        poles = self.poles
+        if self.weights is not None:
+            poles = np.column_stack([poles * self.weights[:, None], self.weights])
+        spline = BSpline(self.knots, poles, self.degree)
+        # Its derivative as a spline fails where there are as many knots as the degree; the spline
+        # itself gives it there, but must not be asked beyond the degree.
         parts = [
-            spline(u)
-            if k == 0
-            else spline.derivative(k)(u)
-            if k <= self.degree
-            else np.zeros((len(u), 4))
+            spline(u, k) if k <= self.degree else np.zeros((len(u), poles.shape[1]))
             for k in range(order + 1)
         ]
+        if self.weights is None:
+            return parts
         weight = parts[0][:, 3:]
         out = [parts[0][:, :3] / weight]
         if order >= 1:

@@ -9,10 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 
 from ..flattening.outline_sides import Sides, sides_of
+from ..geometry.arc_fit import FIT_TOLERANCE, fit_runs
 from ..lofting import DevelopedPlate, EndPart
 from ..welds.bevel_record import EdgeBevel
 from ..welds.bevels import contour_offset
@@ -38,6 +40,18 @@ class CutContour:
     bevels: tuple[EdgeBevel | None, ...]
 
 
+@lru_cache(maxsize=4)
+def cut_arcs(
+    plate: DevelopedPlate, tolerance: float = FIT_TOLERANCE
+) -> tuple[np.ndarray, np.ndarray]:
+    """The contour a plate is cut to as a closed polyline of arcs (m, 3), and (m,) the number of the
+    run each belongs to; as `arc_fit.fit_runs`. The DXF and the NC1 file of a plate share it."""
+    arcs, run = fit_runs(cut_contour(plate).plate.outline, tolerance, plate.mark)
+    arcs.flags.writeable = False
+    return arcs, run
+
+
+@lru_cache(maxsize=4)
 def cut_contour(plate: DevelopedPlate) -> CutContour:
     """The plate with allowances, its outline that of the face `plate.contour`; what lies on the
     pattern is carried along. Ends with green are cut square: they are cut off at the fit-up."""

@@ -167,13 +167,17 @@ def _bevels(plate: DevelopedPlate, middle: np.ndarray) -> np.ndarray:
             line = plate.lines[0 if bevel.side == "start" else -1]
             parts = np.array([[bevel.start], [bevel.end]]) / line.length_3d
             ends = line.flat[0] + parts * (line.flat[1] - line.flat[0])
+        elif bevel.side == "wall":
+            ends = plate.side_ends(bevel.edge)
         else:
             number = 0 if bevel.side == "first" else 1
             s = [line.s for line in plate.lines]
             flat = np.array([line.flat[number] for line in plate.lines])
             at = [bevel.start, bevel.end]
             ends = np.column_stack([np.interp(at, s, flat[:, k]) for k in (0, 1)])
-        angles = np.degrees([bevel.natural, bevel.outer[0], bevel.inner[0]])
+        # A side of a flat part has no tilt but an opening: that of either face is another.
+        opening = bevel.opening[0] * (-1.0 if bevel.opening[1] == "down" else 1.0)
+        angles = np.degrees([bevel.natural + opening, bevel.outer[0], bevel.inner[0]])
         depths = bevel.outer[1], bevel.inner[1]
         rows.append([*(ends - middle).ravel(), *angles, *depths])
     return np.array(rows).reshape(-1, 9)

@@ -204,7 +204,7 @@ def _dihedrals(plates: Sequence[Plate], rows: _Rows, met) -> np.ndarray:
     for k, plate in enumerate(plates):
         spans.setdefault(plate.strip, []).append(k)
     angle = np.full(len(rows.point), np.nan)
-    asked: list[tuple[int, np.ndarray]] = []
+    asked: list[tuple[Piecewise, np.ndarray]] = []
     for k, plate in enumerate(plates):
         for edge in (0, 1):
             own = rows.of(k, edge)
@@ -215,11 +215,15 @@ def _dihedrals(plates: Sequence[Plate], rows: _Rows, met) -> np.ndarray:
     if not asked:
         return angle
     chosen = np.concatenate([lines for _, lines in asked])
-    functions = [plates[other].rails.mid.with_rates for other, _ in asked]
+    functions = [surface.with_rates for surface, _ in asked]
     sides = []
     for sign in (-1.0, 1.0) if rows.is_fold[chosen].any() else (0.0,):
         at = [
             rows.at["mid"][lines] + sign * BESIDE_FOLD * rows.is_fold[lines] for _, lines in asked
+        ]
+        at = [
+            s.clip(surface.start - BESIDE_FOLD, surface.end + BESIDE_FOLD)
+            for s, (surface, _) in zip(at, asked, strict=True)
         ]
         sides.append(_dihedral(rows, chosen, Together(functions)(at)))
     angle[chosen] = np.mean(sides, axis=0)
@@ -227,8 +231,10 @@ def _dihedrals(plates: Sequence[Plate], rows: _Rows, met) -> np.ndarray:
 
 
 def _beside(plates, candidates, rows: _Rows, own: slice):
-    """(plate, rows) of the candidates that lie beside the lines of an edge: of several lanes those
-    that come nearest."""
+    """(rails of the flattened surface, rows) of the candidates that lie beside the lines of an
+    edge: of several lanes those that come nearest. Where none lies beside a line, since an edge
+    reaches a little farther at a cut, or into the root gap between two, the nearest one is
+    continued."""
     s = rows.at["mid"][own]
     lanes = sorted({plates[c].lane.letter for c in candidates})
     if len(lanes) > 1:
@@ -247,7 +253,15 @@ def _beside(plates, candidates, rows: _Rows, own: slice):
         inside = left & (s >= plates[c].start - 1e-9) & (s <= plates[c].end + 1e-9)
         if inside.any():
             left &= ~inside
-            found.append((c, own.start + np.flatnonzero(inside)))
+            found.append((plates[c].rails.mid, own.start + np.flatnonzero(inside)))
+    beyond = np.flatnonzero(left)
+    if len(beyond) and len(candidates):
+        away = [np.maximum(plates[c].start - s, s - plates[c].end)[beyond] for c in candidates]
+        nearest = np.argmin(away, axis=0)
+        for k in sorted({*nearest.tolist()}):
+            plate = plates[candidates[k]]
+            surface = (plate.uncut or plate.rails).mid
+            found.append((surface, own.start + beyond[nearest == k]))
     return found
 
 

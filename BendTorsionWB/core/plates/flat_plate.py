@@ -25,10 +25,9 @@ class FlatPlate:
     thickness. outline and holes: contours (m, 3) in that plane (x, y, bulge); hole_titles say
     what the holes are. s: on the axis. welded: (face, k) of sides of the outline, from vertex k
     to the next, that are welded to the wall of a face, or to another flat part, told by its role
-    until that has a mark; fits: (k, gap, dihedral) of those that are not square or have a gap, mm
-    along the wider face, and the smaller of the two angles, rad; sides: those of which more is
-    known. role: tells a part of a node apart
-    from the member's others.
+    until that has a mark; fits: (k, gap, dihedral, opens) of those that are not square or have a
+    gap, as of a `WeldedSide`; sides: those of which more is known. role: tells a part of a node
+    apart from the member's others.
     """
 
     member: str
@@ -44,7 +43,7 @@ class FlatPlate:
     holes: tuple[np.ndarray, ...] = ()
     hole_titles: tuple[str, ...] = ()
     welded: tuple[tuple[str, int], ...] = ()
-    fits: tuple[tuple[int, float, float], ...] = ()
+    fits: tuple[tuple[int, float, float, str], ...] = ()
     sides: tuple[WeldedSide, ...] = ()
     role: str = ""
 
@@ -157,9 +156,10 @@ def _welded(flat: FlatPlate, face: str, k: int) -> WeldedSide:
     ends = flat.outline[[k, (k + 1) % len(flat.outline)], :2]
     length = float(np.hypot(*(ends[1] - ends[0])))
     fits = {vertex: fit for vertex, *fit in flat.fits}
-    gap, dihedral = fits.get(k, (0.0, 0.5 * np.pi))
+    gap, dihedral, opens = fits.get(k, (0.0, 0.5 * np.pi, ""))
     middle = flat.in_model(ends.mean(axis=0)[None])[0]
-    return WeldedSide(face, length, middle, gap=gap, dihedral=dihedral)
+    edge = f"P-{k + 1}/P-{(k + 1) % len(flat.outline) + 1}"
+    return WeldedSide(face, length, middle, gap=gap, dihedral=dihedral, edge=edge, opens=opens)
 
 
 def _hole(label: str, title: str, contour: np.ndarray) -> FlatHole:

@@ -361,7 +361,7 @@ def _check_lengths(member: Member, cuts: dict[str, np.ndarray], findings: list[F
         ends = np.unique(np.concatenate([edges, folds]))
         lengths = np.diff(ends)
         at = int(np.argmin(lengths))
-        if lengths[at] >= tolerances.SHORTEST_PLATE:
+        if lengths[at] >= tolerances.SHORTEST_PLATE - tolerances.SAME_STATION:
             continue
         at_fold = not {ends[at], ends[at + 1]} <= set(edges)
         findings.append(

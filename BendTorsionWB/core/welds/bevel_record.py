@@ -12,13 +12,15 @@ from ..members.thickness import Chamfer
 class EdgeBevel:
     """A stretch of one side of a plate that is cut with one bevel.
 
-    side: `first` or `second` long edge, `start` or `end`; edge: its name; weld, prep: that it is
-    for, empty without; start, end: arc length on the axis, mm, of a stretch of an end mm from the
-    first edge along it. natural: angle (rad) of the edge
-    against square where no groove is cut, positive where the outer face is the wider. outer, inner:
-    groove cut from that face: angle against square, positive where the face is cut back, and depth
-    mm, 0 of none, from the chamfered face where there is a chamfer: of a plate thicker than the
-    other at a joint, machined after cutting.
+    side: `first` or `second` long edge, `start` or `end`, `wall` of a flat part; edge: its name;
+    weld, prep: that it is for, empty without; start, end: arc length on the axis, mm, of a stretch
+    of an end or a wall's side mm along it from the first edge or corner. natural: angle (rad) of
+    the edge against square where no groove is cut, positive where the outer face is the wider.
+    outer, inner: groove cut from that face: angle against square, positive where the face is cut
+    back, and depth mm, 0 of none, from the chamfered face where there is a chamfer: of a plate
+    thicker than the other at a joint, machined after cutting. opening: of a side of a flat part
+    that is cut square, the angle (rad) it leaves to a wall askew, and the face it opens to (`up`
+    or `down`).
     """
 
     side: str
@@ -31,6 +33,7 @@ class EdgeBevel:
     outer: tuple[float, float] = (0.0, 0.0)
     inner: tuple[float, float] = (0.0, 0.0)
     chamfer: Chamfer | None = None
+    opening: tuple[float, str] = (0.0, "")
 
     @property
     def angles(self) -> tuple[float, float, float]:

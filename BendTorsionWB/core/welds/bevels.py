@@ -71,6 +71,7 @@ def with_bevels(
             for number, name in enumerate(("first", "second")):
                 bevels += _along(plate, number, name, own, faces, step)
             bevels += _ends(plate, own, step)
+        bevels += _square_sides(plate, by_plate.get(plate.mark, ()), faces, step)
         made.append(replace(plate, bevels=tuple(bevels), contour=contour))
     steep = [(p, b) for p in made for b in p.bevels if max(map(abs, b.angles)) > LARGEST_BEVEL]
     if steep:
@@ -137,6 +138,20 @@ def _ends(plate: DevelopedPlate, welds, step: float) -> Iterator[EdgeBevel]:
                 bevel = _bevel(name, line, cut, begin, end, angle)
                 if bevel.is_cut:
                     yield bevel
+
+
+def _square_sides(plate: DevelopedPlate, welds, faces, step: float) -> Iterator[EdgeBevel]:
+    """Sides of a flat part that are cut square against what stands askew to them."""
+    own = [weld for weld in welds if weld.plates[0] == plate.mark]
+    for side in plate.welded:
+        opening = 0.5 * np.pi - side.dihedral
+        if not side.edge or opening <= 0.5 * step:
+            continue
+        meets = ((w, (w.plates[1], faces.get(w.plates[1]))) for w in own)
+        weld = next((w for w, names in meets if side.face in names), None)
+        mark, prep = (weld.mark, weld.prep.name or weld.prep.type) if weld else ("", "")
+        opened = _rounded(opening), side.opens
+        yield EdgeBevel("wall", side.edge, mark, prep, 0.0, side.length, 0.0, opening=opened)
 
 
 def _weld_of(part: EndPart, welds) -> Weld | None:

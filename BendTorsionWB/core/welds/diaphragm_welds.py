@@ -51,6 +51,7 @@ def diaphragm_welds(
                 continue
             thickness = flat.thickness, wall.thickness
             by_row = row.prep is not None and side.slot is None
+            by_row = by_row and not (row.prep.is_fillet and is_skew(side, defaults))
             short = [plate.mark.split("-")[-1] for plate in (flat, wall)]
             yield Weld(
                 f"{flat.member}-{short[0]}/{short[1]}",

@@ -46,8 +46,8 @@ class WeldDefaults:
     """Preparations of seams and joints that no row names, of branches at nodes and of diaphragms
     there, the leg of their fillets over the thinner plate, the step (rad) bevel angles are cut in,
     the largest leg over the thinner plate, the widest root gap, mm and over the thinner plate, the
-    least dihedral of fillets on both sides, rad, and the largest bevel a cutting head makes, rad,
-    by the rule pack."""
+    least dihedral of fillets on both sides, rad, the largest bevel a cutting head makes, rad, and
+    the least clear size of a box that is welded from inside, mm, by the rule pack."""
 
     seam: Prep = Prep("corner", "bevel", np.radians(45.0), 6.0, 0.0)
     joint: Prep = Prep("butt", "v", np.radians(60.0), 2.0, 2.0)
@@ -62,6 +62,7 @@ class WeldDefaults:
     gap_over_thickness: float = 2.0
     fillet_least_angle: float = np.radians(60.0)
     largest_bevel: float = np.radians(52.0)
+    access: float = 400.0
 
     def fillet_leg(self, thickness: Sequence[float]) -> float:
         """Leg, mm, of a fillet between plates of these thicknesses, mm."""

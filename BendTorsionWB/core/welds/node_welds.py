@@ -15,8 +15,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..finding import Finding, warning
 from ..lofting import DevelopedPlate, EndPart
+from ..plates.plates import SAME_GAP
 from .edge_rows import EdgeTreatment, WeldDefaults, last_row, number_of
+from .fillet_angle import WIDEST_FILLET, unfit_fillet
 from .preps import WHOLE_ANGLE, Prep
 from .weld_record import Weld
 
@@ -65,7 +68,9 @@ def branch_welds(
                 place = row.place or ("shop" if part.node in stubs else "field")
                 ndt = defaults.ndt_field if place == "field" else defaults.ndt_shop
                 prep = groove(defaults.branch, part)
-                if row.prep:
+                dihedral = float(np.mean(part.dihedral))
+                by_row = row.prep and unfit_fillet(row.prep, dihedral, defaults) is None
+                if by_row:
                     prep = replace(row.prep, gap=part.gap)
                 yield Weld(
                     f"{plate.member}-{part.node}-{short}{more}",
@@ -78,9 +83,62 @@ def branch_welds(
                     float(part.s.max()),
                     part.length,
                     (plate.thickness, part.thickness),
-                    float(np.mean(part.dihedral)),
+                    dihedral,
                     prep,
                     place,
                     row.ndt or ndt,
-                    number_of(row, rows),
+                    number_of(row, rows) if by_row else 0,
                 )
+
+
+def gaps_not_made(welds: Sequence[Weld], rows: Sequence[EdgeTreatment]) -> Iterator[Finding]:
+    """A warning for each row and node whose preparation has another root gap than the node."""
+    told = set()
+    for weld in welds:
+        row = last_row(rows, (weld.name, "nodes"), set())
+        if weld.kind != "node" or row.prep is None or row.prep.gap <= 0.0:
+            continue
+        number = number_of(row, rows)
+        if abs(row.prep.gap - weld.prep.gap) <= SAME_GAP or (number, weld.name) in told:
+            continue
+        told.add((number, weld.name))
+        yield warning(
+            "node-root-gap",
+            weld.member,
+            f"the root gap at {weld.name} is the node's, {weld.prep.gap:g} mm: that of the "
+            f"preparation, {row.prep.gap:g} mm, does not hold",
+            f"write {row.prep.gap:g} in gap of the node in sheet Nodes, or no gap or "
+            f"{weld.prep.gap:g} in the preparation",
+            position=f"edge {number}",
+            value=row.prep.gap,
+            limit=weld.prep.gap,
+            unit="mm",
+        )
+
+
+def fillets_not_made(
+    welds: Sequence[Weld], rows: Sequence[EdgeTreatment], defaults: WeldDefaults
+) -> Iterator[Finding]:
+    """A warning for each row and node with ends too sharp or too wide to what they land on for the
+    fillets it asks for, which have the rule pack's groove instead."""
+    found: dict[tuple[int, str], list[tuple[float, Weld]]] = {}
+    for weld in welds:
+        row = last_row(rows, (weld.name, "nodes"), set())
+        if weld.kind == "node" and not weld.row and row.prep:
+            angle = unfit_fillet(row.prep, weld.dihedral, defaults)
+            found.setdefault((number_of(row, rows), weld.name), []).append((angle, weld))
+    for (number, node), own in found.items():
+        least = min(angle for angle, _ in own)
+        wide = least >= defaults.fillet_least_angle
+        marks = ", ".join(weld.mark for _, weld in own)
+        yield warning(
+            "node-fillet",
+            own[0][1].member,
+            f"plates at {node} stand too {'wide' if wide else 'sharp'} to what they land on for "
+            f"fillets: {marks} {'has' if len(own) == 1 else 'have'} the rule pack's groove",
+            "leave it so, or give the row a bevel for all plates at the node",
+            position=f"edge {number}",
+            value=math.degrees(least),
+            limit=math.degrees(WIDEST_FILLET if wide else defaults.fillet_least_angle),
+            unit="deg",
+        )

@@ -16,7 +16,7 @@ from .. import tolerances
 from ..finding import Finding, warning
 from ..lofting import DevelopedPlate, WeldedSide
 from ..plates.diaphragm_part import WELDED_GAP
-from .edge_rows import WeldDefaults
+from .edge_rows import EdgeTreatment, WeldDefaults, last_row, number_of
 from .preps import WHOLE_ANGLE, Prep
 
 
@@ -27,16 +27,21 @@ def is_skew(side: WeldedSide, defaults: WeldDefaults) -> bool:
 
 def open_groove(side: WeldedSide, thickness: float) -> Prep:
     """The groove a square edge of a plate of this thickness, mm, leaves: its angle in whole
-    degrees, its gap that at the root."""
+    degrees, its gap that at the root, its side the face it opens to."""
     opening = 0.5 * math.pi - side.dihedral
     root = max(side.gap - thickness * math.tan(opening), 0.0)
     angle = WHOLE_ANGLE * math.floor(opening / WHOLE_ANGLE + 1e-6)
-    return Prep("skew", "bevel", angle, gap=round(root, 1))
+    # A flat part is marked on its outer face.
+    open_to = "inner" if side.opens == "down" else "outer"
+    return Prep("skew", "bevel", angle, gap=round(root, 1), side=open_to)
 
 
-def skew_findings(flats: Sequence[DevelopedPlate], defaults: WeldDefaults) -> Iterator[Finding]:
-    """A warning for each diaphragm with sides too sharp to their walls for fillets, and for each
-    whose square edge leaves fillets too wide a gap."""
+def skew_findings(
+    flats: Sequence[DevelopedPlate], rows: Sequence[EdgeTreatment], defaults: WeldDefaults
+) -> Iterator[Finding]:
+    """A warning for each diaphragm with sides too sharp to their walls for fillets, of the row of
+    sheet Edges that asks for them there; and for each whose square edge leaves fillets too wide a
+    gap."""
     for flat in flats:
         walls = [side for side in flat.welded if side.how == "walls"]
         skew = [side for side in walls if is_skew(side, defaults)]
@@ -48,14 +53,18 @@ def skew_findings(flats: Sequence[DevelopedPlate], defaults: WeldDefaults) -> It
         if skew:
             least = min(skew, key=lambda side: side.dihedral)
             cut = 90.0 - math.degrees(least.dihedral)
+            row = last_row(rows, (flat.mark.split("-")[-1], "diaphragms"), set())
+            number = number_of(row, rows) if row.prep and row.prep.is_fillet else 0
+            asked = f"; the {row.prep.type} its row asks for is not made there" if number else ""
             yield warning(
                 "diaphragm-skew",
                 flat.mark,
-                f"the diaphragm stands too sharp to {_faces(skew)} for fillets: its square edge "
-                f"leaves {least.gap:.0f} mm at the wide face, and is listed as a groove of "
-                f"{math.floor(cut + 1e-6)} degrees welded from that side",
+                f"the diaphragm stands too sharp to {_opened(skew)} for fillets: its square edge "
+                f"leaves {least.gap:.0f} mm there, and is listed as a groove of "
+                f"{math.floor(cut + 1e-6)} degrees welded from that side{asked}",
                 f"weld it from the wide side before the box is closed, or bevel the edge by "
                 f"{cut:.0f} degrees and back it, or set the diaphragms of the node to flanges",
+                position=f"edge {number}" if number else "",
                 value=math.degrees(least.dihedral),
                 limit=math.degrees(defaults.fillet_least_angle),
                 unit="deg",
@@ -73,6 +82,15 @@ def skew_findings(flats: Sequence[DevelopedPlate], defaults: WeldDefaults) -> It
                 limit=WELDED_GAP,
                 unit="mm",
             )
+
+
+def _opened(sides: Sequence[WeldedSide]) -> str:
+    """Sides with the face each opens to: `right (open at the marked face)`."""
+    told = {
+        side.face: "open at the other face" if side.opens == "down" else "open at the marked face"
+        for side in sides
+    }
+    return " and ".join(f"{face} ({where})" for face, where in told.items())
 
 
 def _faces(sides: Sequence[WeldedSide]) -> str:

@@ -12,12 +12,10 @@ from ..lofting import DevelopedPlate
 from ..plates.diaphragm_part import WELDED_GAP
 from .diaphragm_welds import groove_of_flat
 from .edge_rows import EdgeTreatment, WeldDefaults
+from .fillet_angle import WIDEST_FILLET, unfit_fillet
 from .preps import prep_findings
 from .seam_corners import SeamCorner
 from .weld_record import Weld
-
-WIDEST_FILLET = math.radians(135.0)
-"""Angle between the plates above which no fillet holds (AWS D1.1 clause 4, skewed T-joints)."""
 
 
 def weld_faults(
@@ -83,6 +81,21 @@ def _fillet_faults(weld: Weld, where: str, corners, defaults, room: float) -> It
             position=where,
             value=math.degrees(weld.dihedral),
             limit=math.degrees(WIDEST_FILLET),
+            unit="degrees",
+        )
+        return
+    sharp = unfit_fillet(prep, weld.dihedral, defaults) if weld.kind == "seam" else None
+    if sharp is not None:
+        wide = sharp > defaults.fillet_least_angle
+        yield error(
+            "fillet-angle",
+            weld.member,
+            f"the plates at {weld.name} stand too {'wide' if wide else 'sharp'} to each other "
+            "there for a fillet",
+            "use bevel or square, or a fillet on the other side",
+            position=where,
+            value=math.degrees(sharp),
+            limit=math.degrees(WIDEST_FILLET if wide else defaults.fillet_least_angle),
             unit="degrees",
         )
         return

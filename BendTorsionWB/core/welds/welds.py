@@ -28,7 +28,7 @@ from .edge_rows import (
     number_of,
     stretches,
 )
-from .node_welds import branch_welds
+from .node_welds import branch_welds, fillets_not_made, gaps_not_made
 from .seam_corners import SeamCorner
 from .skew_diaphragms import skew_findings
 from .weld_checks import weld_faults
@@ -86,7 +86,12 @@ def welds_of(
     ]
     if faults:
         raise BendTorsionError(faults)
-    return tuple(welds), (*unwelded(flats, welds), *skew_findings(flats, defaults))
+    return tuple(welds), (
+        *unwelded(flats, welds),
+        *skew_findings(flats, rows, defaults),
+        *fillets_not_made(welds, rows, defaults),
+        *gaps_not_made(welds, rows),
+    )
 
 
 def _backwards(member: str, row: EdgeTreatment, number: int) -> Finding:

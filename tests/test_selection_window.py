@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What commands make of what is selected, in FreeCAD's window: several axes, pairs with a node,
+deleted curves; letters typed over cells, Esc in the view."""
+
+import pytest
+from freecad_window import ROOT, run_in_window
+
+SCRIPT = ROOT / "tests" / "window" / "selection_session.py"
+PICTURES = ROOT / "build" / "pictures" / "selection"
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.fixture(scope="module")
+def window(tmp_path_factory):
+    """What one session saw."""
+    folder = tmp_path_factory.mktemp("selection")
+    return run_in_window(SCRIPT, folder, time_limit=400, pictures=PICTURES)
+
+
+def step(window, name):
+    """What a step saw; fails with its traceback when it broke off."""
+    assert "failed" not in window[name], window[name]["failed"]
+    return window[name]
+
+
+def test_shapes_imported_without_a_document(window):
+    """A file that cannot be read leaves no document; the recorded lines make the one of a file that
+    can."""
+    seen = step(window, "no_document")
+    (line,), documents = seen["bad"]
+    assert "cannot be read" in line and documents == []
+    assert seen["shown"] == [] and seen["labels"] == ["dome"] and seen["again"] == [1]
+
+
+def test_each_selected_axis_becomes_a_member_in_one_undo_step(window):
+    seen = step(window, "axes")
+    assert seen["shown"] == [] and not seen["open"] and seen["undo"] == ["Member"]
+    assert seen["made"] == [["M3", "A1", "B800", "ok"], ["M4", "A2", "B800", "ok"]]
+    assert seen["undone"] == ["M1", "M2"]
+
+
+def test_a_selected_axis_is_edited(window):
+    """As a surface, a section or a member is."""
+    seen = step(window, "axes")
+    assert seen["axis"] == [[], True]
+    assert seen["extended"] == [1000.0, ["A1", "A2"], ["Axis"]]
+
+
+def test_letters_typed_over_a_cell_are_no_command(window):
+    """`bottom` begins with the keys of Report; keys with Ctrl stay FreeCAD's."""
+    seen = step(window, "typed_into_the_table")
+    assert seen["kept"] == [True, True, True] and not seen["ctrl"]
+
+
+def test_enter_takes_a_text_while_its_choices_are_listed(window):
+    seen = step(window, "typed_into_the_table")
+    assert seen["list"] and seen["aligned"] == ["bottom", ["Member table"]]
+
+
+def test_escape_in_the_view_cancels_a_panel(window):
+    """Whichever way it was opened."""
+    seen = step(window, "escape_in_the_view")
+    assert seen["command"] == seen["double-click"] == [50.0, False, 0.0, []]
+
+
+def test_a_cut_is_put_where_a_plate_is_clicked(window):
+    seen = step(window, "cut_where_clicked")
+    assert seen["shown"] == [] and seen["cut"] == [4, 3000.0, ["Cut point"]]
+
+
+@pytest.mark.parametrize("pair", ["M1 M2", "M2 M1"])
+def test_the_node_of_a_pair_is_edited_and_not_made_again(window, pair):
+    """Whichever of the two is selected first."""
+    shown, is_open, name, said, nodes = step(window, "node_of_a_pair")[pair]
+    assert shown == [] and is_open and name == "N1" and nodes == ["N1"]
+    assert "N1" in said and step(window, "node_of_a_pair")["undo"] == []
+
+
+def test_members_that_meet_twice_get_two_nodes_and_no_third(window):
+    """M3 passes over M1 between its first two points and back between its last two."""
+    seen = step(window, "node_of_a_pair")
+    places, undo = seen["two"]
+    assert [status for status, _ in places] == ["ok", "ok"] and undo == ["Node", "Node"]
+    first, second = (place for _, place in places)
+    assert 500.0 < first < 2500.0 and 6000.0 < second < 8500.0
+    (line,), is_open, nodes = seen["third"]
+    assert "N2, N3" in line and not is_open and nodes == ["N1", "N2", "N3"]
+
+
+def test_the_context_menu_of_sheets_and_axes_offers_to_edit_them(window):
+    seen = step(window, "context_of_sheets")
+    assert seen["M1 sheets"] == ["Sheets"] and seen["open"] == [[], True]
+    assert "Axis" in seen["M1-axis"]
+
+
+def test_a_deleted_curve_is_told_and_comes_back(window):
+    """Hidden sources do as well as others; a curve 30 mm off its face is told as a warning."""
+    seen = step(window, "sources")
+    assert seen["shown"] == [] and seen["status"] == seen["back"] == "ok"
+    assert seen["said"].startswith("Warnings: 1")
+    for status in seen["deleted"]:
+        assert "M1-axis" in status and "no curve" in status and "deleted" in status
+    assert seen["empty"]
+
+
+def test_files_without_members_in_error_are_told(window):
+    """With the reason, once for each file; no cut files are made."""
+    seen = step(window, "in_error")
+    assert seen["package"] == seen["report"] == [] and not seen["cut files"]
+    assert len(seen["told"]) == 2
+    for text in seen["told"]:
+        assert text.startswith("Written without") and "B: " in text and " -> " in text
+
+
+def test_a_cut_in_a_member_in_error_tells_the_error(window):
+    (line,) = step(window, "in_error")["cut"]
+    assert "B: " in line and "not between" not in line
+
+
+def test_surfaces_are_numbered_as_sections_are(window):
+    assert step(window, "sources")["surfaces"] == ["Surface", "Surface 2"]
+
+
+def test_no_exception_in_the_report_view(window):
+    assert "Traceback" not in window["report_view"] and "<class" not in window["report_view"]
