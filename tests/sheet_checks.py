@@ -4,6 +4,8 @@
 Written apart from the code that places labels, so that a fault there is not repeated here.
 """
 
+import re
+
 import numpy as np
 
 from BendTorsionWB.core.drawings.sheet import LINE_STYLES, Sheet, Text, text_box
@@ -85,3 +87,8 @@ def _outside(sheet: Sheet, texts, boxes, lines):
             yield f"line at {min(x):.1f} to {max(x):.1f}"
         if min(y) < bottom - 1e-6 or max(y) > top + 1e-6:
             yield f"line at {min(y):.1f} to {max(y):.1f}"
+
+
+def told(svg: str) -> str:
+    """All texts of a page's symbol, whose long lines stand in parts, with single spaces."""
+    return " ".join(re.findall(">([^<>]+)</text>", svg))

@@ -54,7 +54,7 @@ def test_a_folder_that_cannot_be_is_refused_before_anything_is_computed(tmp_path
     for out in (tmp_path / "file", tmp_path / "file" / "below"):
         with pytest.raises(BendTorsionError) as problem:
             project.build(HALL, out, ["M7"])
-        assert [f.code for f in problem.value.findings] == ["file-not-written"]
+        assert [f.code for f in problem.value.findings] == ["folder-is-file"]
 
 
 def test_a_point_out_of_place_is_named_before_what_it_breaks(tmp_path):

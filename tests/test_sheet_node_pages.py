@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The drawings of nodes in a document: pages that show the same as the files, and follow edits."""
 
-import re
-
 import FreeCAD
 import Part  # noqa: F401
 import pytest
 from carried_document import make_document
+from sheet_checks import told
 
 from BendTorsionWB import make
 from BendTorsionWB.core.drawings.sheet_node import node_sheets
@@ -83,9 +82,7 @@ def test_without_a_node_that_can_be_drawn_one_page_says_so_and_surplus_pages_go(
     document.removeObject(node.Name)
     document.recompute()
     ((_, symbol),) = node_pages(document)
-    # Long lines stand in parts.
-    told = " ".join(re.findall(">([^<]+)</text>", symbol.Symbol))
-    assert drawn.PageCount == 1 and "no node can be drawn" in told
+    assert drawn.PageCount == 1 and "no node can be drawn" in told(symbol.Symbol)
     document.recompute()
     names = {obj.Name for obj in document.Objects}
     assert not [name for name in names if name.startswith(f"{drawn.Name}_Page02")]

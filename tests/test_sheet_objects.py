@@ -14,6 +14,7 @@ import numpy as np
 import Part  # noqa: F401
 import pytest
 import TechDraw  # noqa: F401
+from sheet_checks import told
 from test_sheet import strip_member
 
 from BendTorsionWB.core.drawings.sheet_arrangement import arrangement_sheets
@@ -243,7 +244,9 @@ def test_a_member_in_error_empties_its_sheets_and_mending_restores_them(document
     document.Source.Choice = -1
     document.recompute()
     (page,) = pages(document)
-    assert "M1: IN ERROR" in symbol_of(page).Symbol and "reduce t" in symbol_of(page).Symbol
+    assert "M1: IN ERROR" in told(symbol_of(page).Symbol) and "reduce t" in told(
+        symbol_of(page).Symbol
+    )
     assert vertices(page).min(axis=0) == pytest.approx(FRAME[:2], abs=0.01)
     assert len(vertices(page)) == 4
     assert document.M1_Sheets.Status == FAULT.line()
@@ -253,7 +256,7 @@ def test_a_member_in_error_empties_its_sheets_and_mending_restores_them(document
     document.Source.Findings = [json.dumps(FAULT.as_dict())]
     document.recompute()
     (page,) = pages(document)
-    assert "IN ERROR" in symbol_of(page).Symbol and "reduce t" in symbol_of(page).Symbol
+    assert "IN ERROR" in told(symbol_of(page).Symbol) and "reduce t" in told(symbol_of(page).Symbol)
 
 
 def test_a_deleted_source_and_a_deleted_page_are_dealt_with(document):
@@ -268,7 +271,7 @@ def test_a_deleted_source_and_a_deleted_page_are_dealt_with(document):
     document.recompute()
     (page,) = pages(document)
     assert "link-missing" in document.M1_Sheets.Findings[0]
-    assert "Unfold is not set" in symbol_of(page).Symbol
+    assert "Unfold is not set" in told(symbol_of(page).Symbol)
 
 
 def test_surplus_pages_wait_for_a_recompute_without_errors(document):
@@ -277,7 +280,7 @@ def test_surplus_pages_wait_for_a_recompute_without_errors(document):
     document.Source.Choice = -1
     document.recompute()
     assert document.M1_Sheets.PageCount == 1 < len(pages(document))
-    assert "no longer used" in symbol_of(pages(document)[1]).Symbol
+    assert "no longer used" in told(symbol_of(pages(document)[1]).Symbol)
     document.removeObject("Bad")
     document.recompute()
     check(document, -1)
@@ -408,7 +411,7 @@ def test_the_general_arrangement_is_a_page_that_follows_its_members(document):
     assert symbol_of(own[0]).Symbol == symbol_svg(wanted[0])
     document.Source.Choice = -1
     document.recompute()
-    assert "no member can be drawn" in symbol_of(own[0]).Symbol
+    assert "no member can be drawn" in told(symbol_of(own[0]).Symbol)
     arrangement.Sheets = []
     document.recompute()
-    assert arrangement.PageCount == 1 and "no member can be drawn" in symbol_of(own[0]).Symbol
+    assert arrangement.PageCount == 1 and "no member can be drawn" in told(symbol_of(own[0]).Symbol)
