@@ -36,7 +36,7 @@ def plate_nc1(plate: DevelopedPlate, order: str = "", drawing: str = "") -> byte
     Raises BendTorsionError for a contour that leaves the quadrant its header declares.
     """
     cut = cut_contour(plate)
-    outline, run = cut_arcs(plate)
+    outline, run = cut_arcs(plate, FIT_TOLERANCE)
     plate = cut.plate
     green = marked_ends(plate)
     # A vertex may be off the pattern by the fit's tolerance.

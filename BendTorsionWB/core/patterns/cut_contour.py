@@ -14,7 +14,7 @@ from functools import lru_cache
 import numpy as np
 
 from ..flattening.outline_sides import Sides, sides_of
-from ..geometry.arc_fit import FIT_TOLERANCE, fit_runs
+from ..geometry.arc_fit import fit_runs
 from ..lofting import DevelopedPlate, EndPart
 from ..welds.bevel_record import EdgeBevel
 from ..welds.bevels import contour_offset
@@ -41,9 +41,7 @@ class CutContour:
 
 
 @lru_cache(maxsize=4)
-def cut_arcs(
-    plate: DevelopedPlate, tolerance: float = FIT_TOLERANCE
-) -> tuple[np.ndarray, np.ndarray]:
+def cut_arcs(plate: DevelopedPlate, tolerance: float) -> tuple[np.ndarray, np.ndarray]:
     """The contour a plate is cut to as a closed polyline of arcs (m, 3), and (m,) the number of the
     run each belongs to; as `arc_fit.fit_runs`. The DXF and the NC1 file of a plate share it."""
     arcs, run = fit_runs(cut_contour(plate).plate.outline, tolerance, plate.mark)
