@@ -83,7 +83,7 @@ class Room:
             self.add_lines(np.stack([side[:-1], side[1:]], axis=1))
 
     def stay_inside(self, contour: np.ndarray) -> None:
-        """Keep texts on the sheet with the contour (m, 3)."""
+        """Keep texts on the sheet with the contour (m, 3), one of those they keep clear of."""
         sides = runs(contour, _SAGITTA)
         self.sheet = polygon(np.concatenate([side[:-1] for side in sides]))
 
@@ -107,11 +107,11 @@ class Room:
     def clear(self, boxes: Boxes) -> int:
         """Number of the first box that nothing reaches into, else of the one fewest lines do, of
         those on the sheet if any; it is taken from then on."""
-        chosen = self._freest(boxes)
-        if self.sheet is not None and not self._on_sheet(boxes.those(slice(chosen, chosen + 1)))[0]:
+        chosen, reached = self._freest(boxes)
+        if self.sheet is not None and not self._is_on_sheet(boxes, chosen, reached):
             whole = np.flatnonzero(self._on_sheet(boxes))
             if len(whole):
-                chosen = int(whole[self._freest(boxes.those(whole))])
+                chosen = int(whole[self._freest(boxes.those(whole))[0]])
         corner, reading, up = boxes.corners[chosen], boxes.reading[chosen], boxes.up[chosen]
         high = float(boxes.heights[chosen])
         # Lines along it, close enough that no other text finds room between them.
@@ -120,20 +120,26 @@ class Room:
         self.add_lines(np.stack([feet, feet + boxes.widths[chosen] * reading], axis=1))
         return chosen
 
+    def _is_on_sheet(self, boxes: Boxes, number: int, reached: int) -> bool:
+        one = slice(number, number + 1)
+        if reached:
+            return bool(self._on_sheet(boxes.those(one))[0])
+        # The contour does not cross it: one corner tells.
+        return bool(inside(self.sheet, boxes.corners[one])[0])
+
     def _on_sheet(self, boxes: Boxes) -> np.ndarray:
         corners = boxes.all_corners()
         within = inside(self.sheet, corners.reshape(-1, 2))
         return within.reshape(len(corners), 4).all(axis=1)
 
-    def _freest(self, boxes: Boxes) -> int:
+    def _freest(self, boxes: Boxes) -> tuple[int, int]:
+        """The box that fewest lines reach into, the first of them, and how many."""
         lines = self.lines[: self.count]
         # Mostly the first is free, then one as large: the others need not be looked at.
         near = _near_first(boxes, lines)
-        if not len(near):
-            return 0
-        chosen, fewest = 0, int(_reaching(boxes, near, slice(0, 1))[0])
+        chosen, fewest = 0, int(_reaching(boxes, near, slice(0, 1))[0]) if len(near) else 0
         if not fewest:
-            return 0
+            return 0, 0
         sizes = np.flatnonzero(np.diff(boxes.text)) + 1
         edges = np.unique([1, *sizes, len(boxes.text)])
         for start, stop in zip(edges[:-1], edges[1:], strict=True):
@@ -143,7 +149,7 @@ class Room:
                 chosen, fewest = int(start) + best, int(hits[best])
             if not fewest:
                 break
-        return chosen
+        return chosen, fewest
 
 
 def along(
