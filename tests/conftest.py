@@ -45,6 +45,16 @@ def _connect_here(self, address):
 socket.socket.connect = _connect_here
 
 
+@pytest.fixture
+def document():
+    """An empty document without a window, closed after the test."""
+    import FreeCAD
+
+    made = FreeCAD.newDocument("tested", hidden=True)
+    yield made
+    FreeCAD.closeDocument(made.Name)
+
+
 @pytest.fixture(scope="session")
 def built(tmp_path_factory):
     """A whole project, built once: the schedule, the folder, and what the build found."""

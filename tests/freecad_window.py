@@ -96,6 +96,12 @@ def run_in_window(
     return json.loads(result.read_text(encoding="utf-8"))
 
 
+def step(window: dict, name: str):
+    """What a step of a session saw; fails with its traceback when it broke off."""
+    assert "failed" not in window[name], window[name]["failed"]
+    return window[name]
+
+
 def release() -> tuple[int, int]:
     """Of the FreeCAD that is installed, such as (0, 20)."""
     import FreeCAD

@@ -19,13 +19,6 @@ POINTS = CURVES["E-diag"].points(9, 1)
 
 
 @pytest.fixture
-def document():
-    document = FreeCAD.newDocument("axis", hidden=True)
-    yield document
-    FreeCAD.closeDocument(document.Name)
-
-
-@pytest.fixture
 def hall(document):
     return make.make_surface(document, "Hall", a=40e3, b=30e3, c=20e3)
 

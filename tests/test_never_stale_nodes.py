@@ -65,13 +65,6 @@ def meeting(document, names, sheets):
 
 
 @pytest.fixture
-def document():
-    document = FreeCAD.newDocument("meeting", hidden=True)
-    yield document
-    FreeCAD.closeDocument(document.Name)
-
-
-@pytest.fixture
 def with_sheets(document):
     start_qt()
     return meeting(document, "XY", True)

@@ -24,13 +24,6 @@ from BendTorsionWB.project import build, read_project
 
 
 @pytest.fixture
-def document():
-    document = FreeCAD.newDocument("nodes", hidden=True)
-    yield document
-    FreeCAD.closeDocument(document.Name)
-
-
-@pytest.fixture
 def hall(document):
     """Two members that cross, their plates and the node between them, recomputed."""
     surface = make.make_surface(document, "Hall", "ellipsoid", a=40000, b=30000, c=20000)

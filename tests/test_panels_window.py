@@ -2,7 +2,7 @@
 """Task panels of every kind: opened by a double-click, live, refusing what cannot be, by keys."""
 
 import pytest
-from freecad_window import ROOT, run_in_window
+from freecad_window import ROOT, run_in_window, step
 from test_command_table import PROMISED
 
 SCRIPT = ROOT / "tests" / "window" / "panels_session.py"
@@ -17,12 +17,6 @@ def window(tmp_path_factory):
     """What one session saw."""
     folder = tmp_path_factory.mktemp("panels")
     return run_in_window(SCRIPT, folder, time_limit=400, pictures=PICTURES)
-
-
-def step(window, name):
-    """What a step saw; fails with its traceback when it broke off."""
-    assert "failed" not in window[name], window[name]["failed"]
-    return window[name]
 
 
 @pytest.mark.parametrize("label", KINDS)

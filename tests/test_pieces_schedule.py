@@ -129,13 +129,6 @@ def test_what_geometry_refuses_is_named_by_its_cell(tmp_path, changes, code, pla
     assert at[code] == place
 
 
-@pytest.fixture
-def document():
-    made = FreeCAD.newDocument("pieces", hidden=True)
-    yield made
-    FreeCAD.closeDocument(made.Name)
-
-
 def test_a_document_of_a_schedule_has_cuts_and_pieces_and_keeps_them(tmp_path):
     schedule = schedule_of(tmp_path)
     jobs = jobs_of(schedule)

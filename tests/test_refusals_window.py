@@ -2,7 +2,7 @@
 """What must not happen in the window: the wrong one edited, a half of it kept, texts lost."""
 
 import pytest
-from freecad_window import ROOT, run_in_window
+from freecad_window import ROOT, run_in_window, step
 from test_build import APART, schedule
 
 SCRIPT = ROOT / "tests" / "window" / "refusals_session.py"
@@ -18,12 +18,6 @@ def window(tmp_path_factory):
     book = schedule(folder / "two.xlsx", APART)
     home = folder / "home"
     return run_in_window(SCRIPT, home, time_limit=400, pictures=PICTURES, schedule=book)
-
-
-def step(window, name):
-    """What a step saw; fails with its traceback when it broke off."""
-    assert "failed" not in window[name], window[name]["failed"]
-    return window[name]
 
 
 def test_where_one_is_edited_several_are_refused(window):

@@ -3,7 +3,7 @@
 deleted curves; letters typed over cells, Esc in the view."""
 
 import pytest
-from freecad_window import ROOT, run_in_window
+from freecad_window import ROOT, run_in_window, step
 
 SCRIPT = ROOT / "tests" / "window" / "selection_session.py"
 PICTURES = ROOT / "build" / "pictures" / "selection"
@@ -16,12 +16,6 @@ def window(tmp_path_factory):
     """What one session saw."""
     folder = tmp_path_factory.mktemp("selection")
     return run_in_window(SCRIPT, folder, time_limit=400, pictures=PICTURES)
-
-
-def step(window, name):
-    """What a step saw; fails with its traceback when it broke off."""
-    assert "failed" not in window[name], window[name]["failed"]
-    return window[name]
 
 
 def test_shapes_imported_without_a_document(window):

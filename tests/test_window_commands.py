@@ -4,7 +4,7 @@
 import math
 
 import pytest
-from freecad_window import ROOT, run_in_window
+from freecad_window import ROOT, run_in_window, step
 
 SCRIPTS = ROOT / "tests" / "window"
 PICTURES = ROOT / "build" / "pictures" / "commands"
@@ -31,12 +31,6 @@ def output(tmp_path_factory):
     seen = run_in_window(script, folder, time_limit=400, pictures=PICTURES)
     assert "failed" not in seen["output"], seen["output"]["failed"]
     return seen["output"] | {"report_view": seen["report_view"]}
-
-
-def step(window, name):
-    """What a step saw; fails with its traceback when it broke off."""
-    assert "failed" not in window[name], window[name]["failed"]
-    return window[name]
 
 
 def test_every_command_is_on_a_toolbar_with_icon_words_and_a_shortcut_of_its_own(window):

@@ -26,13 +26,6 @@ SPHERE = [
 ]
 
 
-@pytest.fixture
-def document():
-    made = FreeCAD.newDocument("written", hidden=True)
-    yield made
-    FreeCAD.closeDocument(made.Name)
-
-
 def figures(document):
     """Corners and volumes of all plates by mark: what the shop would get."""
     found = {}

@@ -11,8 +11,8 @@ PURE = {"core", "exchange", "__version__"}
 """What of the package does without FreeCAD."""
 PROGRAMS = {"test_release.py"}
 """Tests of programs that start FreeCAD."""
-FIXTURES = {"built", "qt_program"}
-"""Fixtures that build a project with its model, and programs that use Qt."""
+FIXTURES = {"built", "document", "qt_program"}
+"""Fixtures that build a project with its model or make a document, and programs that use Qt."""
 
 
 @cache

@@ -10,7 +10,7 @@ import FreeCADGui
 
 from BendTorsionWB.gui import ask, macro, selection
 from BendTorsionWB.gui.command import Command
-from BendTorsionWB.gui.commands_plates import MEMBERS, make_all
+from BendTorsionWB.gui.commands_plates import MEMBERS, edit_only, make_all
 from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.progress import PATIENCE, progress
 
@@ -100,12 +100,9 @@ def surface(document) -> None:
     faces, surfaces = given.faces, given.of_kind("Surface")
     name = translate("BendTorsion", "Surface")
     if surfaces and not faces:
-        one = selection.only(
-            surfaces,
-            QT_TRANSLATE_NOOP("BendTorsion", "surfaces"),
-            QT_TRANSLATE_NOOP("BendTorsion", "select one surface"),
-        )
-        SurfacePanel(Preview(document, name, [one])).show()
+        mend = QT_TRANSLATE_NOOP("BendTorsion", "select one surface")
+        things = QT_TRANSLATE_NOOP("BendTorsion", "surfaces")
+        edit_only(document, name, SurfacePanel, surfaces, things, mend)
         return
     if given != selection.Picked() and not faces:
         raise selection.refusal(
@@ -141,12 +138,9 @@ def axis(document) -> None:
     surfaces, axes = given.of_kind("Surface"), given.of_kind("Axis")
     sources, faces = list(given.curves), list(given.faces)
     if axes and given == selection.Picked(ours=tuple(axes)):
-        one = selection.only(
-            axes,
-            QT_TRANSLATE_NOOP("BendTorsion", "axes"),
-            QT_TRANSLATE_NOOP("BendTorsion", "select one axis"),
-        )
-        AxisPanel(Preview(document, name, [one])).show()
+        mend = QT_TRANSLATE_NOOP("BendTorsion", "select one axis")
+        things = QT_TRANSLATE_NOOP("BendTorsion", "axes")
+        edit_only(document, name, AxisPanel, axes, things, mend)
         return
     if not surfaces and len(faces) == 1:
         target = faces.pop()
@@ -181,12 +175,9 @@ def section(document) -> None:
     sections = selection.picked().of_kind("SectionSpec")
     name = translate("BendTorsion", "Section")
     if sections:
-        one = selection.only(
-            sections,
-            QT_TRANSLATE_NOOP("BendTorsion", "sections"),
-            QT_TRANSLATE_NOOP("BendTorsion", "select one section"),
-        )
-        SectionPanel(Preview(document, name, [one])).show()
+        mend = QT_TRANSLATE_NOOP("BendTorsion", "select one section")
+        things = QT_TRANSLATE_NOOP("BendTorsion", "sections")
+        edit_only(document, name, SectionPanel, sections, things, mend)
         return
     label = free_label(document, "Section")
     preview = Preview(document, name, create=lambda make: [make("make_section", document, label)])
@@ -202,8 +193,8 @@ def member(document) -> None:
     name = translate("BendTorsion", "Member")
     if not axes:
         mend = QT_TRANSLATE_NOOP("BendTorsion", "select an axis and a section, or a member to edit")
-        one = selection.only(selection.of_member(given, "Member", mend), MEMBERS, mend)
-        MemberPanel(Preview(document, name, [one])).show()
+        members = selection.of_member(given, "Member", mend)
+        edit_only(document, name, MemberPanel, members, MEMBERS, mend)
         return
     if not sections:
         sections = [obj for obj in document.Objects if getattr(obj, "BT_Type", "") == "SectionSpec"]

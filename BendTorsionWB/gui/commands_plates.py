@@ -69,6 +69,11 @@ def welds(document) -> None:
     _parts(document, "Edges", translate("BendTorsion", "Welds"), "BendTorsion_Welds")
 
 
+def edit_only(document, name: str, panel: Callable, found: list, things: str, mend: str) -> None:
+    """The one object found selected, in its panel; raises BendTorsionError as `selection.only`."""
+    panel(Preview(document, name, [selection.only(found, things, mend)])).show()
+
+
 def _parts(document, table: str, name: str, icon: str) -> None:
     from BendTorsionWB.gui.plates_panel import PartsPanel
 
@@ -99,12 +104,8 @@ def node(document) -> None:
     name = translate("BendTorsion", "Node")
     nodes = given.of_kind("Node")
     if nodes:
-        one = selection.only(
-            nodes,
-            QT_TRANSLATE_NOOP("BendTorsion", "nodes"),
-            QT_TRANSLATE_NOOP("BendTorsion", "select one node"),
-        )
-        NodePanel(Preview(document, name, [one])).show()
+        mend = QT_TRANSLATE_NOOP("BendTorsion", "select one node")
+        edit_only(document, name, NodePanel, nodes, QT_TRANSLATE_NOOP("BendTorsion", "nodes"), mend)
         return
     mend = QT_TRANSLATE_NOOP(
         "BendTorsion",
