@@ -17,10 +17,13 @@ demo: packages  ## build the concert hall into build/concert_hall
 	@echo "Cut files:         $(DEMO)/plates/*.dxf"
 	@echo "Lofting data:      $(DEMO)/results.xlsx"
 
-# A file's tests stay together: they share fixtures, folders and pictures.
-TOGETHER = -n $(shell nproc) --dist loadfile
+# A file's tests stay together: they share fixtures, folders and pictures. One worker more than there
+# are processors: sessions in FreeCAD's window wait for it to settle.
+TOGETHER = -n $(shell expr $$(nproc) + 1) --dist loadfile
 
-test: packages  ## run every test, one worker for each processor
+# Every program the tests start would compile the whole package anew.
+test: export PYTHONDONTWRITEBYTECODE =
+test: packages  ## run every test, one worker more than processors
 	@$(PYTHON) -m pytest $(TOGETHER)
 
 # Newer releases would bring a numpy that Debian's scipy does not load with.
@@ -93,8 +96,9 @@ mutants: packages  ## small faults set into the kernel: does a test notice each
 release: packages  ## make the add-on archive and try it in a clean FreeCAD user folder
 	@$(PYTHON) scripts/release.py
 
-findings:  ## write docs/findings.md: every finding with what mends it
+findings:  ## write docs/findings.md: every finding with what mends it; list those without Chinese
 	@$(PYTHON) scripts/findings_table.py
+	@$(PYTHON) scripts/findings_texts.py
 
 packages:
 	@sh scripts/install-debian.sh

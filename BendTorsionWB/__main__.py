@@ -3,15 +3,31 @@
 
 from __future__ import annotations
 
-import os
 import sys
-import traceback
-from importlib.util import find_spec
 
-from BendTorsionWB import arguments, freecad_path
-from BendTorsionWB.console import Progress, print_findings
-from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.exchange.outside_files import outside_allowed
+STOPPED = "stopped; files already written are whole"
+
+
+def _told(kind, problem, trace) -> None:
+    """What Python prints of an exception nobody caught: one line of Ctrl-C."""
+    if issubclass(kind, KeyboardInterrupt):
+        print(STOPPED, file=sys.stderr)
+    else:
+        sys.__excepthook__(kind, problem, trace)
+
+
+if __name__ == "__main__":
+    # Before the imports below: they take a moment, in which Ctrl-C may come.
+    sys.excepthook = _told
+
+import os  # noqa: E402
+import traceback  # noqa: E402
+from importlib.util import find_spec  # noqa: E402
+
+from BendTorsionWB import arguments, freecad_path  # noqa: E402
+from BendTorsionWB.console import Progress, print_findings  # noqa: E402
+from BendTorsionWB.core.finding import BendTorsionError  # noqa: E402
+from BendTorsionWB.exchange.outside_files import outside_allowed  # noqa: E402
 
 GOOD, FAILED, INVALID = 0, 1, 2
 
@@ -60,7 +76,7 @@ def main(given: list[str] | None = None) -> int:
         return FAILED
     except KeyboardInterrupt:
         _progress.end()
-        print("stopped; files already written are whole", file=sys.stderr)
+        print(STOPPED, file=sys.stderr)
         return 130
 
 
@@ -69,7 +85,8 @@ def _wanted(options):
 
     update = options.command == "update"
     model = update or not options.no_model
-    return Wanted(model, not options.no_sheets, options.split, update, options.svg)
+    removing = update and options.remove
+    return Wanted(model, not options.no_sheets, options.split, update, removing, options.svg)
 
 
 def _build(options) -> int:
@@ -85,7 +102,6 @@ def _build(options) -> int:
         options.jobs,
         _progress,
         _wanted(options),
-        removing=getattr(options, "remove", False),
         statuses=read_statuses(options.status) if options.status else (),
         force=options.force,
     )

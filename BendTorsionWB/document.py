@@ -23,10 +23,11 @@ def build_document(
     import FreeCAD
 
     from BendTorsionWB import make
-    from BendTorsionWB.document_settings import keep_style
+    from BendTorsionWB.document_settings import keep_rows, keep_style
 
     document = FreeCAD.newDocument("model", hidden=hidden)
     keep_style(document, schedule.settings.sheet_style)
+    keep_rows(document, schedule.kept)
     surfaces, sections, axes, made = {}, {}, {}, {}
     everyone = {**jobs, **_met_elsewhere(schedule, jobs)}
     with equal_labels():

@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from BendTorsionWB.exchange.difference import Change
+from BendTorsionWB.exchange.renames import Key, Reference, renames
 from BendTorsionWB.objects.proxy import type_of
 
 FILE_SHAPE = "Shape"
@@ -29,14 +30,17 @@ def kind_of(obj) -> str:
 
 
 def objects_of(document) -> dict[tuple[str, str], object]:
-    """Our objects by kind and name (that of their row, or their label where they have none), in
-    the order of the document."""
+    """Our objects by kind and name, in the order of the document."""
     found = {}
     for obj in document.Objects:
         if kind_of(obj):
-            name = getattr(obj, "FromSchedule", "") or obj.Label
-            found.setdefault((kind_of(obj), name), obj)
+            found.setdefault(key_of(obj), obj)
     return found
+
+
+def key_of(obj) -> Key:
+    """Kind and name of an object: that of its row, or its label where it has none."""
+    return kind_of(obj), getattr(obj, "FromSchedule", "") or obj.Label
 
 
 def inputs_of(obj) -> tuple[str, ...]:
@@ -83,16 +87,79 @@ def same(one, other) -> bool:
 def document_changes(before, after) -> tuple[Change, ...]:
     """What changed from one document to another. Links count by label, results not at all."""
     old, new = objects_of(before), objects_of(after)
-    changes = [_whole("removed", old[key]) for key in old if key not in new]
+    gone = {key: obj for key, obj in old.items() if key not in new}
+    came = {key: obj for key, obj in new.items() if key not in old}
+    renamed = renamed_objects(gone, came)
+    changes = [
+        Change("renamed", kind, name, "", was, name, members_of([new[kind, name]]))
+        for (kind, was), name in renamed.items()
+    ]
+    told = {*renamed, *((kind, name) for (kind, _), name in renamed.items())}
+    changes += [_whole("removed", obj) for key, obj in gone.items() if not told & _keys(key, obj)]
     for key, obj in new.items():
         if key not in old:
-            changes.append(_whole("added", obj))
+            changes += [] if told & _keys(key, obj) else [_whole("added", obj)]
             continue
         for name in dict.fromkeys((*inputs_of(old[key]), *inputs_of(obj))):
             one, other = value_of(old[key], name), value_of(obj, name)
             if not same(one, other):
                 changes.append(Change("changed", *key, name, one, other, member=members_of([obj])))
     return tuple(changes)
+
+
+_NAMED = ("File", "Surface", "SectionSpec", "Axis", "Member")
+"""Kinds with rows of their own, each after those its objects link to."""
+_TO_MEMBER = {
+    "PlateSet": ("Member",),
+    "Unfold": ("Plates", "Member"),
+    "AssemblyBed": ("Plates", "Member"),
+    "SheetSet": ("Unfold", "Plates", "Member"),
+}
+"""By kind of what is made of one member: the links that lead to it."""
+
+
+def owner_of(obj):
+    """The member a plate set, patterns, a bed or sheets belong to; the object itself otherwise."""
+    link = obj
+    for name in _TO_MEMBER.get(kind_of(obj), ()):
+        link = getattr(link, name, None)
+    return obj if link is None else link
+
+
+def _keys(key: Key, obj) -> set[Key]:
+    """The key of an object, and that of the member it belongs to."""
+    owner = owner_of(obj)
+    return {key} if owner == obj else {key, key_of(owner)}
+
+
+def renamed_objects(gone: Mapping[Key, object], came: Mapping[Key, object]) -> dict[Key, str]:
+    """The new name of each object that is gone while one came with the same content under another
+    name; a member's with its plates, patterns and bed."""
+    return renames(_contents(gone), _contents(came), _NAMED)
+
+
+def _contents(objects: Mapping[Key, object]) -> dict[Key, dict]:
+    found: dict[Key, dict] = {}
+    for key, obj in objects.items():
+        owner = owner_of(obj)
+        if kind_of(owner) not in _NAMED or kind_of(obj) == "SheetSet":
+            continue
+        whose = key if owner == obj else key_of(owner)
+        # Of a member that stays, what changed hands or names is no rename of the member.
+        if whose not in objects:
+            continue
+        content = found.setdefault(whose, {})
+        for name in inputs_of(obj):
+            value = getattr(obj, name, None)
+            if kind_of(obj) == "File" or not hasattr(value, "Label"):
+                value = value_of(obj, name)
+            elif value != owner and owner_of(value) != owner:
+                value = Reference(*key_of(value))
+            else:
+                continue
+            if name != "Label":
+                content[(key[0], name)] = value
+    return found
 
 
 def _whole(what: str, obj) -> Change:

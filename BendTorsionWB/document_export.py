@@ -23,6 +23,7 @@ from BendTorsionWB.core.patterns.numbering import numbered
 from BendTorsionWB.core.patterns.strain_map import StrainMap, strain_map
 from BendTorsionWB.core.stages import MemberGeometry
 from BendTorsionWB.core.welds.landed_marks import with_landed_marks
+from BendTorsionWB.document_errors import told_of_members
 from BendTorsionWB.document_nodes import nodes_told
 from BendTorsionWB.document_settings import style_in
 from BendTorsionWB.document_update import open_document
@@ -77,7 +78,7 @@ class DocumentRecords:
 def records_of(document, only: Sequence[str] = ()) -> DocumentRecords:
     """Recompute a document and collect the lofting record of every member with patterns; one in
     error has no plates. Raises BendTorsionError when there is none, or for unknown names."""
-    findings = checked_recompute(document)
+    findings = told_of_members(document, checked_recompute(document))
     kinds: dict[str, list] = {}
     for obj in document.Objects:
         kinds.setdefault(type_of(obj), []).append(obj)
@@ -319,7 +320,7 @@ def _export(
             with timing.stage("step"):
                 if healthy:
                     folder.begin(STEP)
-                    write_step(document, sorted(healthy), out / STEP)
+                    write_step(document, sorted(healthy), out / STEP, executor)
                     folder.wrote(STEP, "")
                     own, titles = given.records, given.titles
                     folder.begin(IFC)

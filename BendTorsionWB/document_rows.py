@@ -20,8 +20,9 @@ from BendTorsionWB.core.axes.axis_rule import curve_by_rule
 from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.geometry.curve_edit import turned
 from BendTorsionWB.core.rules import node_rules
-from BendTorsionWB.document_settings import style_in, style_settings
+from BendTorsionWB.document_settings import rows_in, style_in, style_settings
 from BendTorsionWB.exchange.file_name import file_name
+from BendTorsionWB.exchange.kept_rows import add_kept
 from BendTorsionWB.exchange.schedule_columns import FIRST_SEGMENT_COLUMNS, SETTINGS, SHEETS
 from BendTorsionWB.exchange.schedule_end_cuts import CUT_COLUMNS
 from BendTorsionWB.exchange.schedule_sections import TAKEN
@@ -89,6 +90,7 @@ def rows_of(document, files: Path) -> dict[str, list[list]]:
         {"material": name, "density": density, "E": e, "fy": fy}
         for name, (density, e, fy) in materials.items()
     ]
+    add_kept(cells, rows_in(document))
     return {
         sheet: _table(sheet, cells.get(sheet, ()))
         for sheet in SHEETS

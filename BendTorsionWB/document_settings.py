@@ -11,6 +11,7 @@ from dataclasses import asdict
 
 from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.site import SiteDatum
+from BendTorsionWB.exchange.kept_rows import KEY as KEPT_ROWS
 from BendTorsionWB.objects.proxy import type_of
 from BendTorsionWB.objects.sheet_content import style_of
 
@@ -21,6 +22,16 @@ KEY = "BendTorsion sheets"
 def keep_style(document, style: SheetStyle) -> None:
     """Keep it among the document's metadata."""
     document.Meta = {**document.Meta, KEY: json.dumps(asdict(style))}
+
+
+def keep_rows(document, text: str) -> None:
+    """Keep rows that no member needs among the document's metadata, as `kept_rows` has them."""
+    document.Meta = {**document.Meta, KEPT_ROWS: text}
+
+
+def rows_in(document) -> str:
+    """Those rows, empty where none were kept."""
+    return document.Meta.get(KEPT_ROWS, "")
 
 
 def style_in(document) -> SheetStyle:

@@ -7,41 +7,39 @@ property by property; only what differs is written, so that a recompute reaches 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import FreeCAD
 
 from BendTorsionWB.core.detailing import MemberJob
-from BendTorsionWB.core.finding import BendTorsionError, Finding, error, note, warning
+from BendTorsionWB.core.finding import BendTorsionError, Finding, error, warning
 from BendTorsionWB.document import build_document, equal_labels, mark_from_schedule
 from BendTorsionWB.document_difference import (
     inputs_of,
+    key_of,
     kind_of,
     members_of,
     objects_of,
+    owner_of,
+    renamed_objects,
     same,
     value_of,
 )
-from BendTorsionWB.document_settings import keep_style, style_in
+from BendTorsionWB.document_settings import keep_rows, keep_style, rows_in, style_in
 from BendTorsionWB.exchange.difference import Change
 from BendTorsionWB.exchange.file_kind import DOCUMENT, check_ending, refuse_loop
 from BendTorsionWB.exchange.linked_documents import linked_documents, refuse_linked
+from BendTorsionWB.exchange.renames import Key
 from BendTorsionWB.exchange.schedule_rows import Schedule
+from BendTorsionWB.interrupts import to_the_end
 from BendTorsionWB.objects import sheet as sheet_object
 from BendTorsionWB.objects.preference import without_faces
 from BendTorsionWB.objects.proxy import add_property
 
 DRAWN = ("SheetSet", "ArrangementSet", "NodeSheets")
 """Objects with drawing pages."""
-_TO_MEMBER = {
-    "PlateSet": ("Member",),
-    "Unfold": ("Plates", "Member"),
-    "AssemblyBed": ("Plates", "Member"),
-    "SheetSet": ("Unfold", "Plates", "Member"),
-}
-"""By kind of what is made of one member: the links that lead to it."""
 
 
 @dataclass
@@ -65,6 +63,10 @@ class Update:
         document = open_document(path)
         template = build_document(schedule, jobs, sheets)
         try:
+            if any(obj.ExpressionEngine for obj in document.Objects):
+                # Saved before it was computed, a property is not yet what its expression says.
+                with to_the_end(), without_faces():
+                    document.recompute()
             self.bring(document, template, sheets)
         except BaseException:
             FreeCAD.closeDocument(document.Name)
@@ -77,23 +79,28 @@ class Update:
         """Make the objects of a document those of the template, and no others of ours. sheets:
         whether the template has drawing sheets; those of the document stay in any case."""
         keep_style(document, style_in(template))
+        keep_rows(document, rows_in(template))
         wanted, present = objects_of(template), objects_of(document)
         new = [key for key in wanted if key not in present]
+        gone = {
+            key: obj
+            for key, obj in present.items()
+            if key not in wanted
+            and not self.partial
+            and getattr(obj, "FromSchedule", "")
+            and (sheets or key[0] not in DRAWN)
+        }
+        renamed = renamed_objects(gone, {key: wanted[key] for key in new})
         with equal_labels():
             for key in new:
                 present[key] = _created(document, wanted[key])
                 self.changes.append(Change("added", *key, member=members_of([wanted[key]])))
             for key, model in wanted.items():
                 self._copy(model, present[key], present, key in new)
-        gone = [
-            obj
-            for key, obj in present.items()
-            if key not in wanted
-            and not self.partial
-            and getattr(obj, "FromSchedule", "")
-            and (sheets or key[0] not in DRAWN)
-        ]
-        self._remove(document, gone)
+        for (kind, was), name in renamed.items():
+            members = members_of([present[kind, name]])
+            self.changes.append(Change("renamed", kind, name, "", was, name, members))
+        self._remove(document, list(gone.values()), renamed)
 
     def _copy(self, model, obj, present, is_new: bool) -> None:
         if kind_of(model) != "File":
@@ -106,10 +113,11 @@ class Update:
                 continue
             if name in bound:
                 self.findings.append(
-                    note(
+                    warning(
                         "bound-by-hand",
                         obj.Label,
-                        f"{name} follows an expression and not the schedule",
+                        f"{name} follows an expression and not the schedule: document, STEP and "
+                        "IFC are not what drawings and cut files are of",
                         "delete the expression to follow the schedule again",
                         position=f"property {name}",
                         value=_text(before),
@@ -125,7 +133,7 @@ class Update:
                     )
                 )
 
-    def _remove(self, document, gone: Sequence) -> None:
+    def _remove(self, document, gone: Sequence, renamed: Mapping[Key, str]) -> None:
         # Of a meeting, not of a row: members that stay and have no node leave it nothing to be at.
         nodes = [
             obj
@@ -140,12 +148,15 @@ class Update:
                 self.changes.append(Change("removed", kind_of(obj), obj.Label, member=members))
                 going += [] if obj in going else [obj]
             else:
-                left.setdefault(_owner(obj, gone), []).append(obj)
+                owner = owner_of(obj)
+                left.setdefault(owner if owner in gone else obj, []).append(obj)
         for owner, objects in left.items():
             others = [obj.Label for obj in objects if obj != owner]
             added = dict.fromkeys(name for obj in objects for name in _added_by_hand(obj, gone))
             with_them = f", with {', '.join(others)}" if others else ""
             used = f"; {', '.join(added)} made by hand use it" if added else ""
+            now = renamed.get(key_of(owner))
+            used += f"; {now} has the same content, as when it is renamed" if now else ""
             self.findings.append(
                 warning(
                     "row-removed",
@@ -181,15 +192,6 @@ def open_document(path: Path):
                 value=str(path),
             )
         ) from problem
-
-
-def _owner(obj, gone: Sequence):
-    """The member a plate set, patterns, a bed or sheets belong to, when its row is gone as well;
-    otherwise the object itself."""
-    link = obj
-    for name in _TO_MEMBER.get(kind_of(obj), ()):
-        link = getattr(link, name, None)
-    return link if link in gone else obj
 
 
 def _created(document, model):

@@ -19,6 +19,7 @@ from BendTorsionWB.make_plates import make_node_sheets as make_node_sheets
 from BendTorsionWB.make_plates import make_plates as make_plates
 from BendTorsionWB.make_plates import make_sheets as make_sheets
 from BendTorsionWB.make_plates import make_unfold as make_unfold
+from BendTorsionWB.make_plates import place_beside as place_beside
 from BendTorsionWB.make_plates import write_strain_map as write_strain_map
 from BendTorsionWB.objects import axis as axis_object
 from BendTorsionWB.objects import end_cuts, given

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import os
 import tempfile
-from contextvars import ContextVar
 from pathlib import Path
 
 import FreeCAD
@@ -20,13 +19,11 @@ from BendTorsionWB.document_export import export_document, records_of, write_fig
 from BendTorsionWB.document_templates import new_document
 from BendTorsionWB.model_files import checked_recompute
 from BendTorsionWB.objects.repair import repair as give_back
-from BendTorsionWB.project import BuildResult, Progress, detail_members, read_jobs, silent
+from BendTorsionWB.objects.told import PROGRESS
+from BendTorsionWB.project import BuildResult, detail_members, read_jobs
 from BendTorsionWB.round_trip import write_back
 from BendTorsionWB.shapes.surface_files import shape_from_file
 from BendTorsionWB.support import write_bundle
-
-PROGRESS: ContextVar[Progress] = ContextVar("progress", default=silent)
-"""What is told how far the work is; it may raise to stop it."""
 
 
 def open_schedule(path: str | os.PathLike, sheets: bool = False):

@@ -11,7 +11,7 @@ from BendTorsionWB.core.patterns.strain_map import strain_map
 from BendTorsionWB.core.sections.section import BOX_FACES
 from BendTorsionWB.objects import arrangement as arrangement_object
 from BendTorsionWB.objects import assembly_bed as bed_object
-from BendTorsionWB.objects import given, plate_parts
+from BendTorsionWB.objects import given, pattern_place, plate_parts
 from BendTorsionWB.objects import node as node_object
 from BendTorsionWB.objects import node_sheets as node_sheets_object
 from BendTorsionWB.objects import plate_set as plates_object
@@ -172,6 +172,7 @@ def make_unfold(
     marking_face: str = "inside",
     contour: str = "mid",
     layers: Mapping[str, str] | None = None,
+    place: Sequence[float] = (0.0, 0.0, 0.0),
     **allowances: float | str,
 ):
     """The Unfold of a PlateSet: its flat patterns; mode `edges`, `energy` or `elastic`.
@@ -180,9 +181,11 @@ def make_unfold(
     contour: face that cut files draw, `mid`, `top`, `root` or `widest`. allowances:
     any of shrinkage_along, shrinkage_across, joint, diaphragm, green_start, green_end and splice,
     as of core.patterns.gross.Allowances. layers: other names for layers of cut files, by those of
-    the contract, such as {"CUT_OUTER": "10"}.
+    the contract, such as {"CUT_OUTER": "10"}. place: (x, y, z) where the first pattern starts, mm;
+    `place_beside` tells where nothing else is.
     """
     label = _label_of(plates, "patterns")
+    base = given.read(label, "place", place, given.vector)
     given.refuse_unknown(label, allowances, ALLOWANCE_PROPERTIES, "allowance")
     layers = given.read(label, "layers", layers or {}, given.mapping)
     names = [f"{layer}={name}" for layer, name in layers.items()]
@@ -196,7 +199,15 @@ def make_unfold(
         Given("LayerNames", "layers", names),
         *(Given(ALLOWANCE_PROPERTIES[key], key, value) for key, value in allowances.items()),
     ]
-    return new_object(document, "Part::FeaturePython", label, unfold_object.Unfold, values)
+    obj = new_object(document, "Part::FeaturePython", label, unfold_object.Unfold, values)
+    obj.Placement.Base = base
+    return obj
+
+
+@scripted
+def place_beside(document, plates) -> tuple[float, float, float]:
+    """Where the patterns of a PlateSet lie clear of everything there is, for make_unfold, mm."""
+    return pattern_place.free_place(document, plates)
 
 
 BED_PROPERTIES = {

@@ -9,6 +9,7 @@ from concurrent.futures import BrokenExecutor, Executor, Future
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
+from weakref import WeakKeyDictionary
 
 from BendTorsionWB.core.drawings.sheet import Sheet
 from BendTorsionWB.core.drawings.sheet_layout import member_sheets
@@ -19,33 +20,52 @@ from BendTorsionWB.core.patterns.numbering import shared_marks
 from BendTorsionWB.exchange import dxf, nc1, report
 from BendTorsionWB.exchange.result_cache import key_of
 from BendTorsionWB.exchange.template_dxf import template_dxf
-from BendTorsionWB.exchange.whole_file import not_written
+from BendTorsionWB.exchange.whole_file import in_temporary_folder
 
 
 @dataclass(frozen=True, eq=False)
 class MemberFile:
-    """A file of a member: `write` makes its content from `given`; made_from: key of that input."""
+    """A file of a member: `write` makes its content from `given`; made_from: key of that input;
+    plate: mark of the plate it is of, empty for others."""
 
     name: str
     member: str
     made_from: str
     write: Callable
     given: object
+    plate: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Started:
+    """A file that is being made: its place in what its task makes."""
+
+    task: Future
+    place: int
+
+
+FILES_AT_ONCE = 60
+"""Files a worker makes of one member before others have their turn."""
+
+
+_record_keys: WeakKeyDictionary[MemberRecord, dict[str, str]] = WeakKeyDictionary()
 
 
 def record_key(key: str, record: MemberRecord) -> str:
     """The key of what is written of a member: besides its own input that shows what the whole
     project tells, such as marks shared by equal plates. Empty for an empty key."""
-    return (
-        key_of(
+    if not key:
+        return ""
+    # Asked for by every file of a member and of its project.
+    known = _record_keys.setdefault(record, {})
+    if key not in known:
+        known[key] = key_of(
             key,
             shared_marks(record),
             [finding.line() for finding in record.findings],
             [weld.plates for weld in record.welds if weld.kind == "node"],
         )
-        if key
-        else ""
-    )
+    return known[key]
 
 
 def member_files(
@@ -70,12 +90,14 @@ def member_files(
         if names:
             key, write = key and key_of(key, names), partial(dxf.plate_dxf, layers=names)
         for plate in record.plates:
-            files.append(MemberFile(report.dxf_name(plate.mark), name, key, write, plate))
+            file_name = report.dxf_name(plate.mark)
+            files.append(MemberFile(file_name, name, key, write, plate, plate.mark))
     for name, record in records.items():
         key = keys[name] and key_of(keys[name], style.project)
         for plate in record.plates:
             given = (plate, style.project)
-            files.append(MemberFile(report.nc1_name(plate.mark), name, key, plate_nc1, given))
+            file_name = report.nc1_name(plate.mark)
+            files.append(MemberFile(file_name, name, key, plate_nc1, given, plate.mark))
     for name, record in records.items():
         for board in [board for bed in record.beds for board in bed.templates]:
             file_name = report.template_name(board.name)
@@ -83,21 +105,57 @@ def member_files(
     return files
 
 
-def start_all(files: Sequence[MemberFile], executor: Executor | None) -> dict[str, Future | None]:
-    """Have the files made by the executor; without one, each when it is asked for."""
+def start_all(files: Sequence[MemberFile], executor: Executor | None) -> dict[str, Started | None]:
+    """Have the files made by the executor, member by member; without one, each when it is asked
+    for."""
     if executor is None:
         return dict.fromkeys(file.name for file in files)
-    return {file.name: executor.submit(file.write, file.given) for file in files}
+    found = {}
+    for own in _tasks(files):
+        task = executor.submit(_contents, [(file.write, file.given) for file in own])
+        found |= {file.name: Started(task, place) for place, file in enumerate(own)}
+    return found
 
 
-def written(file: MemberFile, started: Future | None) -> bytes:
-    """The content of a file; made here when the worker at it died."""
-    if started is not None:
+def _tasks(files: Sequence[MemberFile]) -> list[list[MemberFile]]:
+    """The files each task makes, those of one plate together: they share its contour and its
+    pickle."""
+    by_member: dict[tuple, list[MemberFile]] = {}
+    for file in files:
+        by_member.setdefault((file.member, file.write is sheets_pdf), []).append(file)
+    tasks = []
+    for own in by_member.values():
+        tasks.append([])
+        for file in sorted(own, key=lambda file: file.plate):
+            task = tasks[-1]
+            if len(task) >= FILES_AT_ONCE and task[-1].plate != file.plate:
+                tasks.append([])
+            tasks[-1].append(file)
+    return tasks
+
+
+def _contents(files: Sequence[tuple[Callable, object]]) -> list[bytes | BendTorsionError]:
+    """What these make of what they are given, or why they cannot."""
+    found = []
+    for write, given in files:
         try:
-            return started.result()
-        except BrokenExecutor:
-            return file.write(file.given)
-    return file.write(file.given)
+            found.append(write(given))
+        except BendTorsionError as problem:
+            found.append(problem)
+    return found
+
+
+def written(file: MemberFile, started: Started | None) -> bytes:
+    """The content of a file; made here when the worker at it died. Raises what making it raised."""
+    if started is None:
+        return file.write(file.given)
+    try:
+        content = started.task.result()[started.place]
+    except BrokenExecutor:
+        return file.write(file.given)
+    if isinstance(content, BendTorsionError):
+        raise content
+    return content
 
 
 def plate_nc1(given: tuple[DevelopedPlate, str]) -> bytes:
@@ -115,10 +173,7 @@ def pdf_bytes(sheets: Sequence[Sheet]) -> bytes:
     """The sheets as PDF."""
     from BendTorsionWB.sheets.pdf import write_pdf
 
-    try:
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "sheets.pdf"
-            write_pdf(sheets, path)
-            return path.read_bytes()
-    except OSError as failure:
-        raise BendTorsionError(not_written(Path(tempfile.gettempdir()), failure)) from failure
+    with in_temporary_folder(), tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "sheets.pdf"
+        write_pdf(sheets, path)
+        return path.read_bytes()

@@ -11,10 +11,13 @@ from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from BendTorsionWB.core.collection import collection_of_new
 from BendTorsionWB.core.detailing import MemberJob
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
 from BendTorsionWB.core.lofting import MemberRecord
 from BendTorsionWB.core.patterns.numbering import shared_marks
+from BendTorsionWB.document_errors import told_of_members
+from BendTorsionWB.exchange.kept_rows import bring_kept, has_kept
 from BendTorsionWB.exchange.linked_documents import linked_documents
 from BendTorsionWB.exchange.output_folder import UPDATED, OutputFolder
 from BendTorsionWB.exchange.report import of_member
@@ -24,7 +27,7 @@ from BendTorsionWB.exchange.schedule_rows import Schedule
 from BendTorsionWB.exchange.timeless import timeless_document
 from BendTorsionWB.exchange.whole_file import whole_file
 from BendTorsionWB.interrupts import to_the_end
-from BendTorsionWB.solid_files import plate_sets, write_ifc, write_step
+from BendTorsionWB.solid_files import StepFiles, plate_sets, write_ifc
 
 MODEL, STEP, IFC = "model.FCStd", "model.step", "model.ifc"
 GROUPS = "model"
@@ -37,13 +40,14 @@ PLATES_GROUP = "Plates"
 class Wanted:
     """What of a project is written. model: document, STEP and IFC; sheets: drawing sheets, as PDF
     and in the document; split: members per document of the model, 0 for one document of all;
-    update: documents that are there are brought up to the schedule instead of made anew; svg:
-    sheets as SVG as well."""
+    update: documents that are there are brought up to the schedule instead of made anew; removing:
+    objects in them go whose rows are gone from the schedule; svg: sheets as SVG as well."""
 
     model: bool = True
     sheets: bool = True
     split: int = 0
     update: bool = False
+    removing: bool = False
     svg: bool = False
 
 
@@ -149,7 +153,9 @@ def _circle(document) -> list:
 
 def save(document, path: Path, shown: Sequence[str] = ()) -> None:
     """Save a document whole or not at all. shown: as of timeless_document."""
-    with whole_file(path) as part, to_the_end():
+    from BendTorsionWB.objects.preference import saved_in_binary
+
+    with whole_file(path) as part, to_the_end(), saved_in_binary():
         document.saveCopy(str(part))
         # FreeCAD does not tell when the disk is full.
         if not zipfile.is_zipfile(part):
@@ -204,6 +210,7 @@ def _span(members: Sequence[str]) -> str:
     return first if first == last else f"{first} to {last}"
 
 
+@collection_of_new()
 def write_model(
     folder: OutputFolder,
     schedule: Schedule,
@@ -212,6 +219,7 @@ def write_model(
     known: tuple[Finding, ...],
     wanted: Wanted,
     document_of: Callable,
+    steps: StepFiles,
     stage: Callable,
     progress: Callable,
 ) -> tuple[Finding, ...]:
@@ -219,9 +227,12 @@ def write_model(
 
     records: of the members to be in them; known: findings so far, members in error have no solids
     in the STEP and IFC files; document_of: makes the document of a part, and tells what it left in
-    one that was there; stage and progress: told where the build is.
+    one that was there; steps: the STEP files; stage and progress: told where the build is.
     """
     findings: tuple[Finding, ...] = ()
+    if wanted.split:
+        # None of the documents is the whole schedule's.
+        schedule = replace(schedule, kept="")
     # By all members there are, so that one that is left out moves no other to another document.
     every = model_parts([row.name for row in schedule.members], wanted.split)
     parts = [part.of(records) for part in every]
@@ -238,13 +249,24 @@ def write_model(
             [shared_marks(records[name]) for name in part.members],
         )
         key = f"{UPDATED}{key}" if wanted.update else key
-        if all(folder.has(name, key) for name in part.files):
+        left = folder.left_in(part.document)
+        removing = wanted.removing and any(finding.code == "row-removed" for finding in left)
+        if not removing and all(folder.has(name, key) for name in part.files):
             for name in part.files:
                 folder.keep(name)
+            if not has_kept(folder.out / part.document, schedule.kept):
+                folder.begin(part.document)
+                bring_kept(folder.out / part.document, schedule.kept)
+                folder.wrote(part.document, key, left=left)
+            findings += left
             continue
         findings += _model_part(
-            folder, schedule, jobs, records, part, in_error, key, wanted, document_of, stage
+            folder, schedule, jobs, records, part, in_error, key, wanted, document_of, steps, stage
         )
+        with stage("step"):
+            steps.write()
+    with stage("step"):
+        steps.write(wait=True)
     if wanted.split:
         key = key_of([part.members for part in parts])
         if folder.has(MODEL, key):
@@ -268,6 +290,7 @@ def _model_part(
     key: str,
     wanted: Wanted,
     document_of: Callable,
+    steps: StepFiles,
     stage: Callable,
 ) -> tuple[Finding, ...]:
     import FreeCAD
@@ -281,14 +304,14 @@ def _model_part(
             out / part.document,
         )
         try:
-            found = checked_recompute(document)
+            found = told_of_members(document, checked_recompute(document))
             if wanted.split:
                 group_plates(document)
         except BaseException:
             FreeCAD.closeDocument(document.Name)
             raise
-    # What has errors of its own or was left is done again each time, so that it is told.
-    if left or has_error(found):
+    # What has errors of its own is done again each time, so that it is told.
+    if has_error(found):
         key = ""
     try:
         healthy = [
@@ -298,15 +321,14 @@ def _model_part(
         ]
         with stage("step"):
             if healthy:
-                folder.begin(part.step)
-                write_step(document, healthy, out / part.step)
-                folder.wrote(part.step, key)
+                steps.start(document, healthy, part.step, key)
         with stage("ifc"):
             if healthy:
                 settings = schedule.settings
                 path = out / part.ifc
                 folder.begin(part.ifc)
-                write_ifc(document, healthy, records, settings.site, settings.project, path)
+                site, project = settings.site, settings.project
+                write_ifc(document, healthy, records, site, project, path, steps.cache)
                 folder.wrote(part.ifc, key)
         with stage("save"):
             if not wanted.update or linked_documents(out / part.document):
@@ -314,7 +336,8 @@ def _model_part(
             folder.begin(part.document)
             save(document, out / part.document)
             made_from = key if healthy else ""
-            folder.wrote(part.document, made_from or (UPDATED if wanted.update else ""))
+            made_from = made_from or (UPDATED if wanted.update else "")
+            folder.wrote(part.document, made_from, left=left)
     finally:
         FreeCAD.closeDocument(document.Name)
     return (*found, *left)

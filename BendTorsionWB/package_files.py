@@ -8,6 +8,7 @@ from concurrent.futures import BrokenExecutor, Executor, Future
 from dataclasses import dataclass
 
 from BendTorsionWB import __version__
+from BendTorsionWB.core.collection import collection_of_new
 from BendTorsionWB.core.detailing import DetailedMember, MemberJob
 from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.error_sources import error_sources
@@ -86,6 +87,7 @@ def start_frames(
     return started
 
 
+@collection_of_new()
 def write_package(
     folder: OutputFolder,
     records: Sequence[MemberRecord],

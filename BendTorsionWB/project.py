@@ -53,8 +53,10 @@ from BendTorsionWB.exchange.schedule_jobs import at_rows, located
 from BendTorsionWB.exchange.schedule_nodes import with_nodes
 from BendTorsionWB.exchange.schedule_rows import Schedule, StatusRow
 from BendTorsionWB.exchange.whole_file import write_whole
+from BendTorsionWB.ifc_fragments import kept_key as ifc_key
 from BendTorsionWB.member_files import (
     MemberFile,
+    Started,
     member_files,
     start_all,
     written,
@@ -65,6 +67,8 @@ from BendTorsionWB.model_files import Wanted, write_model
 from BendTorsionWB.package_files import background_of, start_frames, write_package
 from BendTorsionWB.report_files import write_reports
 from BendTorsionWB.sheet_files import write_sheet_set
+from BendTorsionWB.solid_files import StepFiles
+from BendTorsionWB.step_fragments import kept_key as step_key
 
 TIMING = "timing.json"
 
@@ -222,7 +226,6 @@ def build(
     progress: Progress = silent,
     wanted: Wanted = EVERYTHING,
     executor: Executor | None = None,
-    removing: bool = False,
     statuses: Sequence[StatusRow] = (),
     force: bool = False,
 ) -> BuildResult:
@@ -231,8 +234,7 @@ def build(
     What is there already and made from the same input is left as it is. only: members to compute;
     others are in what is written of the whole project as far as they are known to be unchanged
     since a build before, and named where they are left out. workers: processes of a
-    pool of its own; executor: any other to use instead; removing: with wanted.update, whether
-    objects go whose rows are gone from the schedule; statuses: of plates in the shop, besides
+    pool of its own; executor: any other to use instead; statuses: of plates in the shop, besides
     those of the schedule; force: into the folder of another project as well. Raises
     BendTorsionError, with nothing written, for an invalid schedule (geometry decidable from it
     included), and for a folder another build is writing into. Members in error keep no files;
@@ -241,9 +243,7 @@ def build(
     out = Path(out)
     check_folder(out)
     with locked(out):
-        return _build(
-            path, out, only, workers, progress, wanted, executor, removing, statuses, force
-        )
+        return _build(path, out, only, workers, progress, wanted, executor, statuses, force)
 
 
 def _build(
@@ -254,7 +254,6 @@ def _build(
     progress: Progress,
     wanted: Wanted,
     executor: Executor | None,
-    removing: bool,
     statuses: Sequence[StatusRow],
     force: bool,
 ) -> BuildResult:
@@ -270,7 +269,7 @@ def _build(
         left = left_out(schedule.file, members, only, known, former)
         jobs, keys = ({n: own[n] for n in own if n not in left.members} for own in (jobs, keys))
         found = replace(found, findings=left.without_theirs(found.findings))
-    update = Update(removing, bool(left.members))
+    update = Update(wanted.removing, bool(left.members))
     with workers_for(workers, len(jobs)) as own:
         executor = executor or own
         with timing.stage("members"):
@@ -316,6 +315,7 @@ def _build(
                 findings,
                 wanted,
                 update.document_of if wanted.update else _new_document,
+                StepFiles(folder, cache, executor),
                 timing.stage,
                 progress,
             )
@@ -346,7 +346,8 @@ def _build(
         known = report.all_findings(records, findings)
         findings += folder.close(left.members, left.outdated, refused, known)
         if not left.members:
-            cache.sweep([*keys.values(), *fragments.keys.values()])
+            solids = [key(name) for name in jobs for key in (step_key, ifc_key)]
+            cache.sweep([*keys.values(), *fragments.keys.values(), *solids])
     write_whole(out / TIMING, _json({**timing.stages, "total": sum(timing.stages.values())}))
     found = tuple(report.all_findings(records, findings))
     return BuildResult(records, found, timing.stages, tuple(update.changes), titles)
@@ -368,15 +369,16 @@ def _new_document(schedule, jobs, sheets: bool, path: Path):
 def write_member_files(
     folder: OutputFolder,
     files: Sequence[MemberFile],
-    made: Mapping[str, object],
+    made: dict[str, Started | None],
     healthy: set[str],
     progress: Progress,
 ) -> None:
-    """Write the files that are being made, of healthy members; those there already stay."""
+    """Write the files that are being made, of healthy members, and let go of what made them; those
+    there already stay."""
     wanted = [file for file in files if file.member in healthy]
     for done, file in enumerate(wanted, start=1):
         if file.name in made:
-            content = written(file, made[file.name])
+            content = written(file, made.pop(file.name))
             folder.write(file.name, content, file.made_from, file.member)
         else:
             folder.keep(file.name)

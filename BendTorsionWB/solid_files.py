@@ -3,33 +3,23 @@
 
 from __future__ import annotations
 
-import errno
-import os
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from dataclasses import dataclass
+from concurrent.futures import Executor
 from pathlib import Path
 
 from BendTorsionWB import __version__
-from BendTorsionWB.core.colour_scale import Colour, face_colour
+from BendTorsionWB.core.colour_scale import face_colour
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.core.lofting import MemberRecord
 from BendTorsionWB.core.site import SiteDatum
-from BendTorsionWB.exchange.ifc import Assembly, PlateSolid, ifc_bytes
-from BendTorsionWB.exchange.step_colours import coloured_step
-from BendTorsionWB.exchange.timeless import timeless_step
-from BendTorsionWB.exchange.whole_file import whole_file, write_whole
-from BendTorsionWB.interrupts import to_the_end
-
-
-@dataclass(frozen=True)
-class NamedSolid:
-    """A plate's solid with its position mark, delivery piece and colour."""
-
-    mark: str
-    piece: int
-    colour: Colour
-    solid: object
+from BendTorsionWB.exchange.ifc import ifc_file
+from BendTorsionWB.exchange.ifc_fragment import IfcFragment
+from BendTorsionWB.exchange.output_folder import OutputFolder
+from BendTorsionWB.exchange.result_cache import ResultCache
+from BendTorsionWB.exchange.step_fragment import SolidName, step_file
+from BendTorsionWB.exchange.whole_file import whole_file
+from BendTorsionWB.ifc_fragments import NamedSolid, member_fragment
+from BendTorsionWB.step_fragments import MemberSolids, StepFragments, member_solids
 
 
 def plate_sets(document) -> list:
@@ -43,23 +33,52 @@ def plate_sets(document) -> list:
     ]
 
 
-def write_step(document, members: Sequence[str], path: Path) -> None:
+def write_step(
+    document, members: Sequence[str], path: Path, executor: Executor | None = None
+) -> None:
     """STEP of the members' plates: an assembly per member, in it one per piece where it has
     several, in that a named and coloured solid per plate. Raises BendTorsionError naming a member
     in error."""
-    sets = _healthy_sets(document, members)
-    software = f"BendTorsion {__version__}"
-    with whole_file(path) as part, _assemblies(sets) as items, to_the_end():
-        import Import
+    _write_fragments(StepFragments(_solids_of(document, members), None, executor), path)
 
-        Import.export(items, str(part))
-        colours = {one.mark: one.colour for obj in sets for one in named_solids(obj)}
-        written = part.read_bytes()
-        # FreeCAD does not tell when the disk is full.
-        if not written.rstrip().endswith(b"END-ISO-10303-21;"):
-            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-        content = timeless_step(written, path.name, software)
-        part.write_bytes(coloured_step(content, colours))
+
+class StepFiles:
+    """The STEP files of a build. Their members are made by the executor, if it can, while the build
+    goes on, and kept in the cache."""
+
+    def __init__(self, folder: OutputFolder, cache: ResultCache, executor: Executor | None):
+        self._folder, self.cache, self._executor = folder, cache, executor
+        self._under_way: list[tuple[str, str, StepFragments]] = []
+
+    def start(self, document, members: Sequence[str], name: str, made_from: str) -> None:
+        """Begin a file of these members as they are in a document now. Raises as `write_step`."""
+        own = StepFragments(_solids_of(document, members), self.cache, self._executor)
+        self._under_way.append((name, made_from, own))
+
+    def write(self, wait: bool = False) -> None:
+        """Write what was begun, in that order; without waiting what is ready only."""
+        while self._under_way and (wait or self._under_way[0][2].are_there()):
+            name, made_from, fragments = self._under_way.pop(0)
+            self._folder.begin(name)
+            _write_fragments(fragments, self._folder.out / name)
+            self._folder.wrote(name, made_from)
+
+
+def _write_fragments(fragments: StepFragments, path: Path) -> None:
+    with whole_file(path) as part, open(part, "wb") as stream:
+        for text in step_file(path.name, f"BendTorsion {__version__}", fragments):
+            stream.write(text)
+
+
+def _solids_of(document, members: Sequence[str]) -> Iterator[MemberSolids]:
+    for obj in _healthy_sets(document, members):
+        own, member = named_solids(obj), obj.Member.Label
+        several = len(obj.Pieces) > 1
+        names = [
+            SolidName(one.mark, f"{member}-P{one.piece}" if several else "", one.colour)
+            for one in own
+        ]
+        yield member_solids(member, names, [one.solid for one in own])
 
 
 def write_ifc(
@@ -69,24 +88,26 @@ def write_ifc(
     site: SiteDatum,
     project: str,
     path: Path,
+    cache: ResultCache | None = None,
 ) -> None:
-    """IFC4 of the members' plates, an assembly per delivery piece; records: of the members.
-    Raises BendTorsionError naming a member in error, or a plate whose solid is not one shell."""
-    from BendTorsionWB.shapes.boundary_of import boundary_of
+    """IFC4 of the members' plates, an assembly per delivery piece; records: of the members; cache:
+    where what they give to the file is kept. Raises BendTorsionError naming a member in error, or
+    a plate whose solid is not one shell."""
+    sets = _healthy_sets(document, members)
 
-    assemblies = []
-    for obj in _healthy_sets(document, members):
-        name = obj.Member.Label
-        plates = {plate.mark: plate for plate in records[name].plates}
-        for piece, own in _by_piece(named_solids(obj)).items():
-            solids = tuple(
-                PlateSolid(plates[one.mark], boundary_of(one.solid, one.mark), one.colour)
-                for one in own
-                if one.mark in plates
-            )
-            mark = name if len(obj.Pieces) < 2 else f"{name}-P{piece}"
-            assemblies.append(Assembly(mark, name, solids))
-    write_whole(path, ifc_bytes(project, assemblies, site, __version__))
+    def fragments() -> Iterator[IfcFragment]:
+        for obj in sets:
+            name = obj.Member.Label
+            solids = {
+                name if len(obj.Pieces) < 2 else f"{name}-P{piece}": own
+                for piece, own in _by_piece(named_solids(obj)).items()
+            }
+            plates = {plate.mark: plate for plate in records[name].plates}
+            yield member_fragment(project, name, solids, plates, cache)
+
+    with whole_file(path) as part, open(part, "wb") as stream:
+        for text in ifc_file(project, fragments(), site, __version__):
+            stream.write(text)
 
 
 def named_solids(plates) -> list[NamedSolid]:
@@ -123,36 +144,3 @@ def _by_piece(solids: Sequence[NamedSolid]) -> dict[int, list[NamedSolid]]:
     for one in solids:
         pieces.setdefault(one.piece, []).append(one)
     return pieces
-
-
-@contextmanager
-def _assemblies(sets: Sequence) -> Iterator[list]:
-    """The PlateSets as assemblies for export, in a document of their own."""
-    import FreeCAD
-
-    document = FreeCAD.newDocument("assemblies", hidden=True)
-    document.Label = "Model"
-
-    def part(label: str):
-        made = document.addObject("App::Part", "Assembly")
-        made.Label = label
-        return made
-
-    try:
-        items = []
-        for obj in sets:
-            whole = part(obj.Member.Label)
-            for piece, own in _by_piece(named_solids(obj)).items():
-                group = whole
-                if len(obj.Pieces) > 1:
-                    group = part(f"{obj.Member.Label}-P{piece}")
-                    whole.addObject(group)
-                for one in own:
-                    plate = document.addObject("Part::Feature", "Plate")
-                    plate.Label, plate.Shape = one.mark, one.solid
-                    group.addObject(plate)
-            items.append(whole)
-        document.recompute()
-        yield items
-    finally:
-        FreeCAD.closeDocument(document.Name)

@@ -18,6 +18,9 @@ from BendTorsionWB.exchange.rhino_files import rhino_axis, rhino_patches, rhino_
 from BendTorsionWB.exchange.schedule_jobs import Files
 from BendTorsionWB.exchange.schedule_rows import AxisRow, MemberRow, Schedule, SurfaceRow
 
+MEASURED = 200
+"""Faces whose box is measured, which takes some 10 ms each."""
+
 
 def read_files(schedule: Schedule, rows: Sequence[MemberRow]) -> Files:
     """What the files named by these members' surfaces and axes hold, with a note of the unit and
@@ -52,7 +55,9 @@ def read_files(schedule: Schedule, rows: Sequence[MemberRow]) -> Files:
 
         shape = faces_of(schedule, row)
         surfaces[row.name] = surface_from_part(shape, row.name)
-        box = shape.BoundBox
+        # FreeCAD's plain box holds the poles of a patch, which lie far outside it.
+        few = len(shape.Faces) <= MEASURED
+        box = shape.optimalBoundingBox(False) if few else shape.BoundBox
         boxes["surface", row.name] = np.array(
             [[box.XMin, box.YMin, box.ZMin], [box.XMax, box.YMax, box.ZMax]]
         )

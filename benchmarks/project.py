@@ -196,7 +196,7 @@ def main(counts: list[int], kept: Path | None = None) -> None:
             row("document, MB", size(out, "*.FCStd"))
             row("STEP, MB", size(out, "*.step"))
             row("cut files, MB", size(out, "*.dxf") + size(out, "*.nc1"))
-            row("cache, MB", size(out, "*.member"))
+            row("cache, MB", size(out / ".cache", "*"))
             apart = Path(folder) / "split" if kept is None else kept / str(count)
             row(f"split by {SPLIT}, s", measured("--build", path, apart, SPLIT)["wall"])
             changed = [[*line] for line in _sheet(path, "Members")]

@@ -14,6 +14,8 @@ import shutil
 import subprocess
 import sys
 import xml.etree.ElementTree as tree
+from functools import cache
+from importlib import import_module
 from pathlib import Path
 from xml.sax.saxutils import escape
 
@@ -21,6 +23,10 @@ ROOT = Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "resources" / "translations"
 SOURCES = (ROOT / "BendTorsionWB" / "gui", ROOT / "InitGui.py")
 FUNCTIONS = ("translate", "QT_TRANSLATE_NOOP")
+PROPERTIES = "App::Property"
+"""The context in which FreeCAD looks up groups and tooltips of properties."""
+SEGMENTS = 12
+"""Segments of a member whose groups of properties have their name translated."""
 
 
 def source_texts() -> dict[tuple[str, str], str]:
@@ -33,7 +39,38 @@ def source_texts() -> dict[tuple[str, str], str]:
                 given = [item.value for item in node.args[:2] if isinstance(item, ast.Constant)]
                 if len(given) == 2 and given[1]:
                     found.setdefault(tuple(given), str(path.relative_to(ROOT)))
-    return found
+    return found | property_texts()
+
+
+@cache
+def property_texts() -> dict[tuple[str, str], str]:
+    """(context, text) of the groups and tooltips of the properties of every kind of object, and
+    its file."""
+    sys.path.insert(0, str(ROOT))
+    from BendTorsionWB import freecad_path
+
+    freecad_path.append()
+    import FreeCAD  # noqa: F401 - before the objects, which need it
+
+    from BendTorsionWB.objects import member, proxy
+
+    folder = ROOT / "BendTorsionWB" / "objects"
+    modules = [
+        import_module(f"BendTorsionWB.objects.{p.stem}") for p in sorted(folder.glob("*.py"))
+    ]
+    kinds = {item for module in modules for item in vars(module).values() if _is_kind(item)}
+    declared = [("proxy", proxy.BASE_PROPERTIES), ("member", member.segment_properties(SEGMENTS))]
+    declared += [(kind.__module__.rpartition(".")[2], kind.PROPERTIES) for kind in kinds]
+    return {
+        (PROPERTIES, text): f"BendTorsionWB/objects/{module}.py"
+        for module, properties in declared
+        for item in properties
+        for text in (item.group, item.tooltip)
+    }
+
+
+def _is_kind(item) -> bool:
+    return isinstance(item, type) and hasattr(item, "PROPERTIES")
 
 
 def _name(function) -> str:

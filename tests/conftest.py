@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Test set-up: the checkout on the path, FreeCAD importable as a module, no network."""
 
+import gc
 import ipaddress
 import os
 import socket
@@ -82,6 +83,11 @@ def pytest_collection_modifyitems(config, items):
         # Workers take files in turn: the long ones first, so that none ends alone.
         slow = {item.path for item in kept if item.get_closest_marker("slow")}
         items.sort(key=lambda item: item.path not in slow)
+
+
+def pytest_collection_finish():
+    """What thousands of tests stand on is no garbage: the collector need not go through it."""
+    gc.freeze()
 
 
 def pytest_sessionfinish(session):

@@ -112,7 +112,7 @@ def scenarios(folder, names=()):
         with open(out / "model.FCStd", "ab") as stream:
             stream.write(b"by hand")
 
-    update = Wanted(update=True)
+    update = Wanted(update=True, removing=True)
     scenario("build", nothing, built)
     scenario("build of a change", built, lambda: project.build(second, out, workers=1))
     scenario("build over work by hand", by_hand, built)
@@ -121,9 +121,7 @@ def scenarios(folder, names=()):
         built,
         lambda: project.build(first, out, workers=1, wanted=Wanted(split=1, sheets=False)),
     )
-    scenario(
-        "update", built, lambda: project.build(second, out, workers=1, wanted=update, removing=True)
-    )
+    scenario("update", built, lambda: project.build(second, out, workers=1, wanted=update))
     scenario(
         "export",
         built,

@@ -16,7 +16,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from BendTorsionWB import model_files, solid_files
+from BendTorsionWB import model_files, step_fragments
 
 SIZES = (None, 1000, 20000, 60000)
 """Bytes at which a writer of FreeCAD is stopped: at its start, then within its file."""
@@ -123,7 +123,7 @@ def _hook(points):
         if armed:
             points.die()
 
-    model_files.to_the_end = solid_files.to_the_end = native
+    model_files.to_the_end = step_fragments.to_the_end = native
 
 
 def run(action, kill_at=0, limit=120):

@@ -31,7 +31,8 @@ def faults(sheet: Sheet) -> list[str]:
 
 def _on_each_other(texts: list[Text], boxes: np.ndarray):
     low, high = boxes.min(axis=1), boxes.max(axis=1)
-    near = np.all((low[:, None] < high[None]) & (low[None] < high[:, None]), axis=2)
+    before = (low[:, None, 0] < high[None, :, 0]) & (low[:, None, 1] < high[None, :, 1])
+    near = before & before.T
     for i, j in zip(*np.nonzero(np.triu(near, 1)), strict=True):
         if _meet(boxes[i], boxes[j]):
             yield texts[i].text, texts[j].text
@@ -82,7 +83,7 @@ def _outside(sheet: Sheet, texts, boxes, lines):
         if x0 < left or y0 < bottom or x1 > right or y1 > top:
             yield repr(text.text)
     for line in lines:
-        x, y = np.array(line.points).T
+        x, y = zip(*line.points)
         if min(x) < left - 1e-6 or max(x) > right + 1e-6:
             yield f"line at {min(x):.1f} to {max(x):.1f}"
         if min(y) < bottom - 1e-6 or max(y) > top + 1e-6:

@@ -4,6 +4,8 @@
 import json
 import re
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import FreeCAD
@@ -305,3 +307,24 @@ def test_every_command_and_option_is_in_the_documentation():
     assert not missing
     assert {word for word in told if word.startswith("--")} - elsewhere <= options
     assert "$ python3" not in text and "`python3" not in text
+
+
+def test_ctrl_c_while_the_program_starts_is_one_line():
+    """Before any file is read: modules are being imported."""
+    words = (
+        "import builtins, runpy, sys; real = builtins.__import__\n"
+        "def stopped(name, *rest, **more):\n"
+        "    if name == 'argparse':\n"
+        "        raise KeyboardInterrupt\n"
+        "    return real(name, *rest, **more)\n"
+        "builtins.__import__ = stopped; sys.argv[1:] = ['new']\n"
+        "runpy.run_module('BendTorsionWB', run_name='__main__')\n"
+    )
+    process = subprocess.run(
+        [sys.executable, "-c", words],
+        cwd=Path(__file__).resolve().parent.parent,
+        capture_output=True,
+        text=True,
+    )
+    assert process.returncode in (130, -2)
+    assert process.stderr == "stopped; files already written are whole\n"

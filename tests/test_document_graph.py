@@ -209,7 +209,8 @@ def test_a_link_to_the_wrong_kind_is_refused(model):
     member = model.chains["M1"][1]
     member.Section1 = model.surface
     model.document.recompute()
-    assert member.Status.startswith("error") and "SectionSpec" in member.Status
+    told = "Section1 links to what is no section (value Hall) -> choose a section"
+    assert member.Status == f"error: M1, property Section1: {told}"
     assert empty(member)
 
 

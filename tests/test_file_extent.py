@@ -144,6 +144,36 @@ def test_check_shows_unit_and_size_and_doubts(tmp_path, capsys):
     assert "roof.step" in printed.out + printed.err
 
 
+def test_the_box_of_a_surface_is_that_of_its_faces_and_not_of_its_poles(tmp_path):
+    half = FreeCAD.Matrix()
+    half.scale(2.0, 1.5, 1.0)
+    Part.makeSphere(20000.0).transformGeometry(half).Faces[0].exportBrep(str(tmp_path / "r.brep"))
+    axes = [["A1", "Hall", None, None, None, "keep", None]]
+    path = write_schedule(
+        tmp_path / "hall.xlsx", [["Hall", "file", "r.brep", None]], axes, [["M1", "A1"]], POINTS
+    )
+    _, _, found = project.read_project(path)
+    [told] = [f for f in found.findings if f.code == "file-read"]
+    assert "80.000 x 60.000 x 40.000 m" in told.message
+
+
+def test_an_axis_of_a_file_with_several_curves_must_be_named(tmp_path):
+    drawing(tmp_path / "axes.dxf", 4, 1.0)
+    other = ezdxf.readfile(tmp_path / "axes.dxf")
+    other.modelspace().add_line((0, 0, 0), (1, 0, 0), dxfattribs={"layer": "OTHER"})
+    other.saveas(tmp_path / "axes.dxf")
+    path = write_schedule(
+        tmp_path / "hall.xlsx",
+        [["Hall", "plane", None, None]],
+        [["A1", "Hall", None, "axes.dxf", None, "keep", None]],
+        [["M1", "A1"]],
+    )
+    with pytest.raises(BendTorsionError) as problem:
+        project.read_project(path)
+    [told] = problem.value.findings
+    assert "the file holds several curves" in told.message and "OTHER" in told.mend
+
+
 def test_without_rhino3dm_a_rhino_file_is_one_clear_line(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "rhino3dm", None)
     path = write_schedule(

@@ -2,16 +2,19 @@
 """Every finding is documented, and every error says what mends it."""
 
 import importlib.util
+from functools import cache
 from pathlib import Path
 
 SCRIPT = Path(__file__).resolve().parent.parent / "scripts" / "findings_table.py"
 
 
+@cache
 def script():
-    """The script as a module."""
+    """The script as a module, which reads the sources once."""
     spec = importlib.util.spec_from_file_location("findings_table", SCRIPT)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
+    module.findings = cache(module.findings)
     return module
 
 

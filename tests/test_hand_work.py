@@ -153,11 +153,15 @@ def test_a_document_without_members_is_written_back_to_no_file(tmp_path, capsys)
 def test_what_lost_its_row_is_told_each_time_and_goes_when_it_shall(place, capsys):
     path, out = place
     edit(path, drop=["M2"])
+    when = []
     for _ in range(3):
         code, told = run(capsys, "update", path, "--out", out, *FLAGS)
         lines = [line for line in told.splitlines() if "no longer in the schedule" in line]
         members = [line for line in lines if "Member M2" in line]
         assert code == 0 and len(members) == 1 and "M2 patterns" in members[0]
+        files = [out / name for name in ("model.FCStd", "model.step", "model.ifc")]
+        when.append([path.stat().st_mtime_ns for path in files])
+    assert when[0] == when[1] == when[2], "told again, and nothing written again"
     code, told = run(capsys, "update", path, "--out", out, "--remove", *FLAGS)
     assert code == 0 and "removed: Member M2" in told and "no longer in" not in told
     document = FreeCAD.openDocument(str(out / "model.FCStd"), hidden=True)
@@ -170,3 +174,39 @@ def test_what_lost_its_row_is_told_each_time_and_goes_when_it_shall(place, capsy
     code, told = run(capsys, "update", path, "--out", out, *FLAGS)
     assert code == 0 and "no longer in" not in told
     assert (out / "model.FCStd").stat().st_mtime_ns == when
+
+
+def by_hand(path, label, name, words):
+    """An expression for a property of an object of a saved document."""
+    document = FreeCAD.openDocument(str(path), hidden=True)
+    [obj] = [o for o in document.Objects if o.Label == label and hasattr(o, "BT_Type")]
+    obj.setExpression(name, words)
+    document.save()
+    FreeCAD.closeDocument(document.Name)
+
+
+def test_what_follows_an_expression_is_told_each_time_and_written_once(place, capsys):
+    path, out = place
+    by_hand(out / "model.FCStd", "B500", "Height", "515 mm")
+    assert run(capsys, "update", path, "--out", out, *FLAGS)[0] == 0
+    when = (out / "model.FCStd").stat().st_mtime_ns
+    code, told = run(capsys, "update", path, "--out", out, "--remove", *FLAGS)
+    assert code == 0 and "B500, property Height: Height follows an expression" in told
+    assert (out / "model.FCStd").stat().st_mtime_ns == when
+
+
+@pytest.mark.parametrize("command", ["update", "export"])
+def test_a_member_in_error_by_hand_names_what_is_wrong_and_stops_no_other(place, capsys, command):
+    """The section has no row in error: the document does, where an expression leads it."""
+    path, out = place
+    by_hand(out / "model.FCStd", "B500", "Height", "20 mm")
+    source, target = (path, out) if command == "update" else (out / "model.FCStd", out.parent / "x")
+    code, told = run(capsys, command, source, "--out", target, *FLAGS)
+    errors = [line for line in told.splitlines() if line.startswith("error")]
+    assert code == 1 and len(errors) == 2 and len(set(errors)) == 2, told
+    for line, plate in zip(errors, ("t_top", "t_bottom")):
+        assert line.startswith("error: B500, M1: in the document, where Height is '20mm': ")
+        assert f"{plate} fills half the section" in line and "value 12 mm, limit 10 mm" in line
+        assert line.endswith("or delete the expression to follow the schedule again")
+    assert {p.name[:2] for p in (target / "plates").glob("*.dxf")} == {"M2"}
+    assert (target / "model.step").exists() and has_notes(out / "model.FCStd")

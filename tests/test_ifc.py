@@ -12,7 +12,9 @@ import pytest
 
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.site import SiteDatum
-from BendTorsionWB.exchange.ifc import Assembly, PlateSolid, global_id, ifc_bytes
+from BendTorsionWB.exchange.ifc import ifc_bytes
+from BendTorsionWB.exchange.ifc_entities import global_id
+from BendTorsionWB.exchange.ifc_fragment import Assembly, PlateSolid
 from BendTorsionWB.shapes.boundary_of import boundary_of
 
 HOLE = FreeCAD.Vector(5, 8, -1)

@@ -17,7 +17,7 @@ import Part
 import pytest
 from test_build import APART, schedule
 
-from BendTorsionWB import member_fragments, project
+from BendTorsionWB import ifc_fragments, member_fragments, project
 from BendTorsionWB.__main__ import main
 from BendTorsionWB.exchange import result_cache
 from BendTorsionWB.model_files import Wanted
@@ -138,8 +138,12 @@ def test_a_changed_member_is_computed_alone_and_all_is_as_in_a_new_folder(
 
 @pytest.mark.slow
 def test_of_a_changed_member_alone_rows_and_pictures_are_made_anew(book, tmp_path, monkeypatch):
-    out, made = tmp_path / "out", []
-    real = member_fragments.fragment_of
+    out, made, in_ifc = tmp_path / "out", [], []
+    real, real_ifc = member_fragments.fragment_of, ifc_fragments.ifc_fragment
+
+    def spy_ifc(name, assemblies):
+        in_ifc.append(assemblies[0].member)
+        return real_ifc(name, assemblies)
 
     def spy(given):
         made.append(given.record.member)
@@ -157,18 +161,19 @@ def test_of_a_changed_member_alone_rows_and_pictures_are_made_anew(book, tmp_pat
         given.save(book)
 
     monkeypatch.setattr(member_fragments, "fragment_of", spy)
+    monkeypatch.setattr(ifc_fragments, "ifc_fragment", spy_ifc)
     build(book, out, PLAIN)
-    assert sorted(made) == ["M1", "M2"]
-    made.clear()
+    assert sorted(made) == in_ifc == ["M1", "M2"]
+    made.clear(), in_ifc.clear()
     green(5)
     build(book, out, PLAIN)
-    assert made == ["M2"]
-    made.clear()
+    assert made == in_ifc == ["M2"]
+    made.clear(), in_ifc.clear()
     for kept in (out / ".cache").glob("*.fragment"):
         kept.write_bytes(kept.read_bytes()[:-1])
     green(6)
     build(book, out, PLAIN)
-    assert sorted(made) == ["M1", "M2"], "what is damaged is as good as absent"
+    assert sorted(made) == in_ifc == ["M1", "M2"], "what is damaged is as good as absent"
     build(book, tmp_path / "anew", PLAIN)
     assert contents(out) == contents(tmp_path / "anew")
 

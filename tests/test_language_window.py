@@ -24,7 +24,7 @@ def window(tmp_path_factory):
         time_limit=400,
         pictures=ROOT / "build" / "pictures" / "language",
     )
-    for step in ("commands", "pages", "panels", "refusals"):
+    for step in ("commands", "pages", "panels", "refusals", "findings"):
         assert "failed" not in found[step], found[step]["failed"]
     return found
 
@@ -71,11 +71,39 @@ def test_labels_of_panels_are_in_chinese(window):
 
 
 def test_what_is_missing_in_a_selection_is_told_in_chinese(window):
-    """Message and mend, behind the name of the kind of finding."""
+    """Message and mend in one sentence, without severity and code."""
     assert len(window["refusals"]) == 12
     for name, (line,) in window["refusals"].items():
-        told = line.removeprefix("error: selection: ").split(" -> ")
+        assert line.endswith("。") and "错误" not in line and not line.startswith("选择："), name
+        told = line.removesuffix("。").split("：")
         assert len(told) == 2, name
         for text in told:
             assert re.search(r"[\u4e00-\u9fff]", text), (name, text)
             assert not re.search(r"[A-Za-z]{3,}", text), (name, text)
+
+
+SENTENCE = re.compile(r"(?<![\w'-])[a-z]{2,} [a-z]{2,} [a-z]{2,}", re.ASCII)
+
+
+def test_findings_are_told_in_chinese(window):
+    """An error, a warning and a refusal, wherever the window shows them, hold no English words in
+    a row; texts that the window shows are Chinese."""
+    found = window["findings"]
+    assert found["warnings"]
+    rows = [dict(zip(found["headings"], row, strict=True)) for row in found["rows"]]
+    assert found["headings"] == ["级别", "对象", "位置", "内容", "实际", "限值", "处理"]
+    assert {"错误", "警告"} <= {row["级别"] for row in rows}
+    told = [row[name] for row in rows for name in ("内容", "处理")]
+    told += [found["label"], found["field"], found["status_bar"]]
+    told += [*found["tooltips"], *found["cells"], *found["boxes"]]
+    assert len(found["tooltips"]) >= 3 and found["cells"] and len(found["boxes"]) == 2
+    for text in told:
+        assert re.search(r"[\u4e00-\u9fff]", text), text
+        plain = re.sub(r"<[^>]+>|No such file or directory", "", text)
+        assert not SENTENCE.search(plain), text
+    assert found["boxes"][0].startswith("错误：M2") and found["status_bar"].startswith("错误：M2")
+
+
+def test_what_objects_hold_of_findings_stays_english(window):
+    assert not re.search(r"[\u4e00-\u9fff]", " ".join(window["findings"]["held"]))
+    assert window["findings"]["held"][-1].startswith("error: M2")

@@ -118,10 +118,10 @@ def test_a_fault_of_another_member_is_not_in_the_way(there):
 @pytest.mark.parametrize("removing", [False, True])
 def test_an_update_of_some_leaves_the_others_in_the_document(tmp_path, removing):
     path, out = schedule(tmp_path / "two.xlsx", APART), tmp_path / "out"
-    updated = Wanted(sheets=False, update=True)
+    updated = Wanted(sheets=False, update=True, removing=removing)
     project.build(path, out, workers=1, wanted=updated)
     changed(path, APART, M1_CHANGED | M2_CHANGED)
-    result = project.build(path, out, ["M1"], 1, wanted=updated, removing=removing)
+    result = project.build(path, out, ["M1"], 1, wanted=updated)
     assert not [f for f in result.findings if f.code == "row-removed"]
     assert {change.what for change in result.changes} == {"changed"}
     document = open_document(out / "model.FCStd")

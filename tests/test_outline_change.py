@@ -5,7 +5,7 @@ form."""
 import numpy as np
 import pytest
 
-from BendTorsionWB.core.patterns.outline_change import MISSING, deviation, trim
+from BendTorsionWB.core.patterns.outline_change import MISSING, apart, deviation, trim
 
 
 def plate(length=6000.0, width=800.0, sag=0.0, slant=0.0, count=120):
@@ -26,6 +26,11 @@ def moved(points, angle=0.02, by=(31.0, -17.0)):
 def test_a_plate_moved_and_turned_is_the_same(sag):
     assert deviation(plate(sag=sag), moved(plate(sag=sag))) < 1e-6
     assert deviation(plate(sag=sag), plate(sag=sag)) == 0.0
+
+
+def test_how_far_outlines_are_apart_where_they_lie():
+    assert apart(plate(), plate()) == pytest.approx(0.0, abs=1e-9)
+    assert apart(plate(), plate() + (3.0, 0.0)) == pytest.approx(3.0, abs=1e-6)
 
 
 @pytest.mark.parametrize("more", [1.0, 10.0, 60.0])
@@ -62,6 +67,24 @@ def test_a_smaller_plate_is_cut_from_the_old_one_at_one_side(new, side, off):
 
 def test_the_ends_are_named_by_where_they_lie():
     assert [name for name, _ in trim(plate(), plate(slant=-30.0), True).sides] == ["E-1"]
+
+
+@pytest.mark.parametrize(("start", "end", "side"), [(108.0, 6000.0, "E-1"), (0.0, 5892.0, "E-2")])
+def test_what_comes_off_does_so_at_the_end_that_moved(start, end, side):
+    """The bow changes by little, and the new plate would do anywhere along the old one to within
+    what may be missing; marks and openings hold only where the edges lie on each other."""
+
+    def bent(first, last):
+        u = np.linspace(first, last, 2000)
+        low = np.column_stack([u, 4e-6 * u**2 + 8e-11 * u**3])
+        high = np.column_stack([u, 800.0 + 4e-6 * u**2 - 8e-11 * u**3])
+        return np.vstack([low, high[::-1]])
+
+    found = trim(bent(0.0, 6000.0), moved(bent(start, end), 0.01))
+    assert found.missing < 0.01
+    assert dict(found.sides) == {side: pytest.approx(108.0, abs=2.5 * MISSING)}
+    point = np.array([[3000.0, 400.0]])
+    assert found.laid(moved(point, 0.01)) == pytest.approx(point, abs=0.5)
 
 
 def test_both_sides_come_off_where_both_must():

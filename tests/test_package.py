@@ -18,7 +18,11 @@ ROOT = Path(__file__).resolve().parent.parent
 NAMES = {"p": "https://wiki.freecad.org/Package_Metadata"}
 ICON_LIMIT = 10 * 1024
 PYTHON_FILES = sorted(
-    path for path in ROOT.rglob("*.py") if not {"build", ".git"} & set(path.relative_to(ROOT).parts)
+    path
+    for top in ROOT.iterdir()
+    if top.name not in ("build", ".git")
+    for path in ([top] if top.is_file() else top.rglob("*"))
+    if path.suffix == ".py" and "build" not in path.relative_to(ROOT).parts
 )
 BY_FREECAD = {
     *("FreeCAD", "FreeCADGui", "Part", "TechDraw", "TechDrawGui", "Import", "PySide", "PySide2"),

@@ -5,6 +5,9 @@ import pytest
 from freecad_window import ROOT, run_in_window
 from test_view_window import save_document
 
+from BendTorsionWB.sheets.pdf import start_qt
+from BendTorsionWB.sheets.qt import settle_threads
+
 pytestmark = pytest.mark.slow
 
 
@@ -38,12 +41,15 @@ def test_pages_that_waited_in_the_window_are_drawn_without_one(tmp_path):
     """A document saved while its pages waited: read by plain Python they have their outlines."""
     import FreeCAD
 
+    # From 1.0 on lines are computed in threads, which hand them over in Qt's event loop.
+    start_qt()
     document = FreeCAD.openDocument(str(save_document(tmp_path / "waits.FCStd")))
     for page in pages_of(document):
         page.KeepUpdated = False
     document.save()
     FreeCAD.closeDocument(document.Name)
     again = FreeCAD.openDocument(str(tmp_path / "waits.FCStd"))
+    settle_threads()
     try:
         assert len(pages_of(again)) > 3
         for page in pages_of(again):

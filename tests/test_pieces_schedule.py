@@ -191,7 +191,7 @@ def _mesh_volume(solid):
 
 
 def test_step_has_an_assembly_per_member_of_pieces(document, tmp_path):
-    from BendTorsionWB.model_files import write_step
+    from BendTorsionWB.solid_files import write_step
 
     surface = make.make_surface(document, "Hall", **dict(zip("abc", HALF_AXES)))
     section = make.make_section(document, "S", h=400, b=400, t=12)

@@ -24,7 +24,7 @@ def test_where_one_is_edited_several_are_refused(window):
     """None of them is meant more than the others; the line says what to select."""
     seen = step(window, "several")
     for name, (line, is_open) in seen["shown"].items():
-        assert " -> " in line and not is_open, name
+        assert ": select " in line and line.endswith(".") and not is_open, name
     assert "2 members are selected" in seen["shown"]["Plates"][0]
     assert "2 sections are selected" in seen["shown"]["Section"][0]
 
@@ -42,7 +42,8 @@ def test_delete_and_undo_wait_for_an_open_panel(window):
     """Held by menu, button and key, the key saying why; given back when the panel is gone."""
     seen = step(window, "held")
     assert seen["Std_Delete"] == seen["Std_Undo"] == [600.0, True]
-    assert "panel" in seen["told"]
+    another, delete = seen["told"]
+    assert "panel" in delete and "panel" not in another
     assert seen["cancelled"] == [500.0, []]
     assert seen["deletes again"]
 
@@ -68,7 +69,7 @@ def test_docks_follow_deletions_and_undo(window):
     """Members without a section or a surface stay, in error; those deleted go."""
     seen = step(window, "docks")
     assert seen["B"]["rows"] == ["M1", "M2"] and seen["B"]["sections"] == ["", ""]
-    assert any("Section1" in text for text in seen["B"]["errors"])
+    assert any("section of segment 1" in text for text in seen["B"]["errors"])
     assert any("Surface" in text for text in seen["Ground"]["errors"])
     assert seen["M2"]["rows"] == ["M1"] and seen["M2"]["errors"]
     assert any("Plates" in text for text in seen["M1 plates"]["errors"])

@@ -4,6 +4,7 @@
 import csv
 import hashlib
 import json
+import re
 import shutil
 
 import openpyxl
@@ -229,3 +230,35 @@ def test_a_status_list_with_slips_is_refused_line_by_line(tmp_path):
     with pytest.raises(BendTorsionError) as problem:
         read_statuses(path)
     assert problem.value.findings[0].code == "heading-missing"
+
+
+def test_a_cut_plate_is_trimmed_where_its_joint_moved_and_an_opening_must_be_where_it_was(tmp_path):
+    """The plate is bent so slowly that the new one would do anywhere along it; only at its own
+    place marks, ends and openings hold."""
+    path, out = schedule(tmp_path / "two.xlsx", APART), tmp_path / "out"
+    book = openpyxl.load_workbook(path)
+    book["Splits"].append(["M2", "top", "0.5 1"])
+    sheet = book.create_sheet("Openings")
+    for row in (["member", "face", "s", "shape"], ["M2", "left", 2500, "200x100"]):
+        sheet.append(row)
+    book.save(path)
+    build(path, out)
+    project.issue_folder(out, "A")
+    rows = "".join(f"{mark},cut\n" for mark in ("M2-T1", "M2-T2", "M2-L1"))
+    (tmp_path / "cut.csv").write_text("plate,status\n" + rows)
+
+    def verdicts(cells):
+        other = shutil.copy(path, tmp_path / "other.xlsx")
+        statuses = read_statuses(tmp_path / "cut.csv")
+        found = build(edit(other, cells), out, statuses=statuses).findings
+        told = [f for f in found if f.code.startswith("cut-plate")]
+        return {f.object: (f.severity, f.message.split(": ", 1)[1]) for f in told}
+
+    later = verdicts({("Splits", 4, "joints"): "0.52 1"})
+    assert later["M2-T1"][1].startswith("scrap: 5") and set(later) == {"M2-T1", "M2-T2"}
+    assert re.fullmatch(r"trim 109\.\d mm at E-1", later["M2-T2"][1])
+    earlier = verdicts({("Splits", 4, "joints"): "0.48 1"})
+    assert re.fullmatch(r"trim 109\.\d mm at E-2", earlier["M2-T1"][1])
+    for cells in ({("Openings", 2, "s"): 2600}, {("Openings", 2, "shape"): "100x200"}):
+        lost = ("error", "scrap: it has an opening where the new one has none")
+        assert verdicts(cells) == {"M2-L1": lost}

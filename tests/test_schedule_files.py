@@ -129,6 +129,7 @@ def test_a_link_that_leads_to_itself_is_told_as_such(tmp_path):
         (["Summary", "Plates", "Nodes", "Checks"], "a results file"),
         (["Transmittal"], "the transmittal of a revision"),
         (["Changes"], "a list of changes"),
+        (["Plates"], "the plates since the last issue"),
     ],
 )
 def test_a_workbook_of_results_is_no_schedule_and_one_line(tmp_path, sheets, kind):
@@ -145,6 +146,21 @@ def test_a_workbook_of_results_is_no_schedule_and_one_line(tmp_path, sheets, kin
     with pytest.raises(BendTorsionError) as problem:
         read_schedule(tmp_path / "results.xlsx")
     assert "sheet-unknown" in [f.code for f in problem.value.findings]
+
+
+def test_a_document_a_folder_of_a_build_and_a_single_csv_file_are_no_schedules(tmp_path):
+    (tmp_path / "model.FCStd").write_bytes(b"PK")
+    finding = one(read_schedule, tmp_path / "model.FCStd")
+    assert "a FreeCAD document" in finding.message and "--out model.xlsx" in finding.mend
+    (tmp_path / "Members.csv").write_text("member,segment\n")
+    assert "holds a .csv file for each sheet" in one(read_schedule, tmp_path / "Members.csv").mend
+    (tmp_path / "out").mkdir()
+    for name in (".bendtorsion.json", "nesting.csv"):
+        (tmp_path / "out" / name).write_text("{}")
+    finding = one(read_schedule, tmp_path / "out")
+    assert finding.code == "schedule-is-results" and "the folder of a build" in finding.message
+    # One that is not there is told as that.
+    assert one(read_schedule, tmp_path / "other.csv").code == "file-missing"
 
 
 def rows_of_book(path):

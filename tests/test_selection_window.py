@@ -2,6 +2,8 @@
 """What commands make of what is selected, in FreeCAD's window: several axes, pairs with a node,
 deleted curves; letters typed over cells, Esc in the view."""
 
+import re
+
 import pytest
 from freecad_window import ROOT, run_in_window, step
 
@@ -104,7 +106,9 @@ def test_files_without_members_in_error_are_told(window):
     assert seen["package"] == seen["report"] == [] and not seen["cut files"]
     assert len(seen["told"]) == 2
     for text in seen["told"]:
-        assert text.startswith("Written without") and "B: " in text and " -> " in text
+        assert text.startswith("Written without") and " -> " in text
+        # The error of the section, of the members it stops.
+        assert re.search(r"\bB(, \w+)*: ", text)
 
 
 def test_a_cut_in_a_member_in_error_tells_the_error(window):
@@ -112,8 +116,22 @@ def test_a_cut_in_a_member_in_error_tells_the_error(window):
     assert "B: " in line and "not between" not in line
 
 
+def test_the_surface_of_a_face_is_used_again(window):
+    """By members, axes and its own command, whether the face or the whole shape is picked; one
+    that is offset is another."""
+    assert step(window, "sources")["surfaces"] == ["Surface"]
+    seen = step(window, "surface_used_again")
+    assert seen["members"] == ["Surface", "Surface"]
+    for name, offset in (("face", 5.0), ("shape", 0.0)):
+        shown, said, found, surfaces = seen[name]
+        assert shown == [] and "already: Surface" in said
+        assert found == offset and surfaces == ["Surface"]
+    assert seen["axis"] == ["Surface", ["Surface"], ["Axis"]]
+    assert seen["offset"] == ["Surface 2", ["Surface", "Surface 2"]]
+
+
 def test_surfaces_are_numbered_as_sections_are(window):
-    assert step(window, "sources")["surfaces"] == ["Surface", "Surface 2"]
+    assert step(window, "surface_used_again")["new"] == ["Surface", "Surface 2", "Surface 3"]
 
 
 def test_no_exception_in_the_report_view(window):

@@ -93,15 +93,19 @@ def test_the_script_makes_a_template_that_is_free_of_errors(tmp_path, monkeypatc
     first, second = (tmp_path / folder / "member.FCStd" for folder in ("one", "two"))
     assert first.read_bytes() == second.read_bytes()
     # The one in the repository was made with the properties objects have today.
-    assert saved_properties(FOLDER / "member.FCStd") == saved_properties(first)
+    kept = saved_properties(FOLDER / "member.FCStd")
+    assert kept == saved_properties(first) and "BT_Type" in kept["Axis"]
 
 
 def saved_properties(path):
-    """Names of the properties a file holds, by object."""
+    """Names of the properties a file holds, by object; those FreeCAD's own kinds have differ from
+    release to release and are told without a group."""
     with zipfile.ZipFile(path) as archive:
         root = ElementTree.fromstring(archive.read("Document.xml"))
     return {
-        item.get("name"): sorted(own.get("name") for own in item.iter("Property"))
+        item.get("name"): sorted(
+            own.get("name") for own in item.iter("Property") if own.get("group") is not None
+        )
         for item in root.find("ObjectData")
     }
 

@@ -67,6 +67,7 @@ def test_a_new_text_is_listed_until_it_is_translated(tmp_path, monkeypatch):
     path = tmp_path / "BendTorsion_zh-CN.ts"
     source = tmp_path / "new.py"
     source.write_text('text = translate("BendTorsion", "Brand" " new & <old>")\n')
+    monkeypatch.setattr(translations, "property_texts", dict)
     monkeypatch.setattr(translations, "SOURCES", (source,))
     monkeypatch.setattr(translations, "ROOT", tmp_path)
     texts = translations.source_texts()
@@ -100,6 +101,53 @@ def test_choices_of_properties_are_among_the_words():
     assert len(choices) > 50
     assert {choice for choice in choices if choice} - words == set()
     assert set(document_templates.TITLES.values()) <= words
+
+
+# They read the English of a finding to know what it is about.
+READ_ONLY = {
+    ("member_panel.py", "property_of"),
+    ("panels_model.py", "property_of"),
+    ("member_rows.py", "faults"),
+}
+
+
+def test_findings_reach_the_window_by_their_words_alone():
+    """Nothing but `finding_words` shows a finding: no line, message, mend, error or status."""
+    faults = []
+    for path in sorted((ROOT / "BendTorsionWB" / "gui").glob("*.py")):
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        parents = {
+            inner: node.name
+            for node in ast.walk(tree)
+            if isinstance(node, ast.FunctionDef)
+            for inner in ast.walk(node)
+        }
+        for node in ast.walk(tree):
+            if (path.name, parents.get(node)) in READ_ONLY or path.name == "finding_words.py":
+                continue
+            name = getattr(node, "attr", "")
+            key = getattr(getattr(node, "slice", None), "value", "")
+            told = isinstance(node, ast.Call) and getattr(node.func, "id", "") == "str"
+            caught = told and getattr(node.args[0], "id", "") == "problem"
+            if name in ("message", "mend") or key in ("message", "mend"):
+                faults.append(f"{path.name}:{node.lineno}: {name or key}")
+            called = getattr(node, "func", None) if isinstance(node, ast.Call) else None
+            if getattr(called, "attr", "") == "line" and not node.args:
+                if getattr(called.value, "id", "") != "self":
+                    faults.append(f"{path.name}:{node.lineno}: line")
+            if name == "Status" or (caught and _takes(tree, node, "BendTorsionError")):
+                faults.append(f"{path.name}:{node.lineno}: {name or 'str(problem)'}")
+    assert not faults, "\n".join(faults)
+
+
+def _takes(tree, inner, error: str) -> bool:
+    """Whether an expression stands where an error is caught."""
+    return any(
+        isinstance(node, ast.ExceptHandler)
+        and inner in ast.walk(node)
+        and error in ast.unparse(node.type or ast.Constant(""))
+        for node in ast.walk(tree)
+    )
 
 
 def test_no_text_reaches_the_window_untranslated():

@@ -32,6 +32,7 @@ from BendTorsionWB.exchange.output_folder import (
     OwnFile,
     is_unfinished,
     read_manifest,
+    write_manifest,
 )
 from BendTorsionWB.exchange.schedule_cells import BadCell, Name
 from BendTorsionWB.exchange.schedule_writer import write_schedule
@@ -217,6 +218,28 @@ def test_nothing_is_written_outside_the_folder(tmp_path, name):
             action()
         assert codes(problem) == ["file-outside"]
     assert not (tmp_path / "out of it").exists()
+
+
+def test_links_that_lead_out_of_the_folder_are_not_followed(tmp_path):
+    """Neither as folders nor as files, as the record of an earlier build has them either."""
+    out, other = tmp_path / "out", tmp_path / "other"
+    other.mkdir()
+    (other / "kept.dxf").write_bytes(b"theirs")
+    (out / "nc1").mkdir(parents=True)
+    (out / "plates").symlink_to(other)
+    (out / "nc1" / "kept.nc1").symlink_to(other / "kept.dxf")
+    (out / "inside").symlink_to(out / "nc1")
+    folder = OutputFolder(out, {})
+    for name in ("plates/M1.dxf", "plates/kept.dxf", "nc1/kept.nc1", "inside/kept.nc1"):
+        with pytest.raises(BendTorsionError) as problem:
+            folder.write(name, b"ours", "")
+        assert codes(problem) == ["file-outside"], name
+    folder.write("inside/M1.nc1", b"ours", "")
+    assert (out / "nc1" / "M1.nc1").read_bytes() == b"ours"
+    assert (other / "kept.dxf").read_bytes() == b"theirs" and len(list(other.iterdir())) == 1
+    names = ["plates/M1.dxf", "nc1/kept.nc1", "nc1/M1.nc1", "../other/kept.dxf", "", "a\0b"]
+    write_manifest(out, dict.fromkeys(names, OwnFile("M1")))
+    assert set(read_manifest(out)) == {"nc1/M1.nc1", "inside/M1.nc1"}
 
 
 @pytest.mark.parametrize(

@@ -50,7 +50,8 @@ def test_with_nothing_selected_commands_say_what_to_select(window):
     """One line with its mend, nothing made, no undo step; without a document they are disabled."""
     seen = step(window, "nothing_selected")
     for name, shown in {**seen["shown"], **seen["wrong"]}.items():
-        assert len(shown) == 1 and " -> " in shown[0], name
+        assert len(shown) == 1 and ": " in shown[0] and shown[0].endswith("."), name
+        assert "->" not in shown[0] and "selection:" not in shown[0] and "\n" not in shown[0], name
     assert seen["objects"] == 0 and seen["undo"] == []
     assert seen["active_without_document"] == []
 

@@ -21,40 +21,51 @@ _results: OrderedDict[str, object] = OrderedDict()
 def content_hash(*values) -> str:
     """Hash of plain values, arrays, dataclasses and results of memoised functions (which carry
     the hash of what made them); the same in every process."""
-    digest = hashlib.sha256()
+    parts: list[bytes] = []
     for value in values:
-        _feed(digest, value)
-    return digest.hexdigest()
+        _feed(parts.append, value)
+    return hashlib.sha256(b"".join(parts)).hexdigest()
 
 
-def _feed(digest, value) -> None:
+_PLAIN = frozenset({type(None), str, bytes, bool, int, float})
+_fields: dict[type, tuple[tuple[bytes, str], ...]] = {}
+
+
+def _feed(feed: Callable[[bytes], None], value) -> None:
+    kind = type(value)
+    # Most values by far are of these kinds.
+    if kind in _PLAIN:
+        feed(f"{kind.__name__} {value!r};".encode())
+        return
     made_from = getattr(value, "_made_from", None)
     if made_from is not None:
-        digest.update(b"made " + made_from.encode())
+        feed(b"made " + made_from.encode())
     elif isinstance(value, np.ndarray):
-        digest.update(f"array {value.shape} {value.dtype}".encode())
-        digest.update(np.ascontiguousarray(value).tobytes())
-    elif is_dataclass(value):
-        digest.update(f"{type(value).__name__}(".encode())
-        for field in fields(value):
-            digest.update(f"{field.name}=".encode())
-            _feed(digest, getattr(value, field.name))
-        digest.update(b")")
+        feed(f"array {value.shape} {value.dtype}".encode())
+        feed(np.ascontiguousarray(value).tobytes())
+    elif is_dataclass(kind):
+        if kind not in _fields:
+            _fields[kind] = tuple((f"{own.name}=".encode(), own.name) for own in fields(kind))
+        feed(f"{kind.__name__}(".encode())
+        for name, key in _fields[kind]:
+            feed(name)
+            _feed(feed, getattr(value, key))
+        feed(b")")
     elif isinstance(value, (tuple, list)):
-        digest.update(f"[{len(value)}".encode())
+        feed(f"[{len(value)}".encode())
         for item in value:
-            _feed(digest, item)
-        digest.update(b"]")
+            _feed(feed, item)
+        feed(b"]")
     elif isinstance(value, dict):
-        digest.update(f"{{{len(value)}".encode())
+        feed(f"{{{len(value)}".encode())
         for key in sorted(value):
-            _feed(digest, key)
-            _feed(digest, value[key])
-        digest.update(b"}")
-    elif value is None or isinstance(value, (str, bytes, bool, int, float)):
-        digest.update(f"{type(value).__name__} {value!r};".encode())
+            _feed(feed, key)
+            _feed(feed, value[key])
+        feed(b"}")
+    elif isinstance(value, (str, bytes, int, float)):
+        feed(f"{kind.__name__} {value!r};".encode())
     else:
-        raise TypeError(f"no content hash for {type(value).__name__}")
+        raise TypeError(f"no content hash for {kind.__name__}")
 
 
 def memoised(function: Callable) -> Callable:

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, fields, is_dataclass
 
 from BendTorsionWB.exchange.file_kind import CHANGES, check_ending
+from BendTorsionWB.exchange.renames import Reference, renames
 from BendTorsionWB.exchange.schedule_cells import Cut, Joints
 from BendTorsionWB.exchange.schedule_rows import PartRow, Row, Schedule
 from BendTorsionWB.exchange.whole_file import write_whole
@@ -19,8 +20,9 @@ from BendTorsionWB.exchange.xlsx_file import TEXT, Column, Table, xlsx_bytes
 
 @dataclass(frozen=True)
 class Change:
-    """One difference. what: `added`, `removed` or `changed`; kind and name: of the row or object;
-    member: those it concerns, parted by commas."""
+    """One difference. what: `added`, `removed`, `changed`, or `renamed` from before to after by its
+    looks (the same content under another name); kind and name: of the row or object; member: those
+    it concerns, parted by commas."""
 
     what: str
     kind: str
@@ -33,6 +35,8 @@ class Change:
     def line(self) -> str:
         """The change as one line."""
         concerned = f" (members {self.member})" if self.member not in ("", self.name) else ""
+        if self.what == "renamed":
+            return f"renamed, by its content: {self.kind} {self.before} -> {self.after}{concerned}"
         if self.what != "changed":
             return f"{self.what}: {self.kind} {self.name}{concerned}"
         figures = f"{_shown(self.before)} -> {_shown(self.after)}"
@@ -47,12 +51,21 @@ _KEYS = ("member", "face", "number", "joint", "seam", "piece", "node")
 def schedule_changes(before: Schedule, after: Schedule) -> tuple[Change, ...]:
     """What changed from one schedule to another, in the order of the sheets; where a row stands in
     the file is no part of it."""
-    old, new = _flat(before), _flat(after)
+    rows = _rows(before), _rows(after)
+    old, new = ({key: _paths(row) for key, row in own.items()} for own in rows)
     concerned = [_members_by_row(schedule) for schedule in (before, after)]
-    changes = []
+    gone, came = _contents(rows[0], new), _contents(rows[1], old)
+    renamed = renames(gone, came, _NAMED)
+    changes = [
+        Change("renamed", kind, name, "", was, name, concerned[1].get((kind, name), ""))
+        for (kind, was), name in renamed.items()
+    ]
+    told = {*renamed, *((kind, name) for (kind, _), name in renamed.items())}
     for key in dict.fromkeys((*old, *new)):
         kind, name = key
         members = concerned[1].get(key) or concerned[0].get(key, "")
+        if told & {key, _owner(rows[1].get(key) or rows[0][key])}:
+            continue
         if key not in new:
             changes.append(Change("removed", kind, name, member=members))
         elif key not in old:
@@ -66,19 +79,51 @@ def schedule_changes(before: Schedule, after: Schedule) -> tuple[Change, ...]:
     return tuple(changes)
 
 
-def _flat(schedule: Schedule) -> dict[tuple[str, str], dict[str, object]]:
-    """Values by path within each row, by kind and name of the row."""
-    rows: dict[tuple[str, str], dict[str, object]] = {}
+_NAMED = ("surfaces", "materials", "sections", "axes", "members")
+"""Tables whose rows have names of their own, each after those its rows refer to."""
+_REFERENCES = {"surface": "surfaces", "material": "materials", "section": "sections"}
+_REFERENCES["axis"] = "axes"
+"""Tables the cells of these columns refer to."""
+
+
+def _owner(row) -> tuple[str, str]:
+    """Kind and name of the member a row is part of, empty for a row of its own."""
+    member = getattr(row, "member", None)
+    return ("members", member) if isinstance(member, str) else ("", "")
+
+
+def _contents(rows: Mapping[tuple[str, str], Row], others: Mapping) -> dict:
+    """What rows with names say, those of others apart; that of members with all rows of theirs."""
+    found: dict[tuple[str, str], dict] = {}
+    for key, row in rows.items():
+        owner = _owner(row) if _owner(row)[1] else key
+        if owner in others or owner[0] not in _NAMED:
+            continue
+        content = found.setdefault(owner, {})
+        number = len(content) if owner != key else 0
+        for path, value in _paths(row).items():
+            table = _REFERENCES.get(path.rpartition(" ")[2])
+            if (table, value) == owner:
+                continue
+            if table and isinstance(value, str):
+                value = Reference(table, value)
+            content[(key[0], number, path)] = value
+    return found
+
+
+def _rows(schedule: Schedule) -> dict[tuple[str, str], Row]:
+    """The rows by kind and name."""
+    rows: dict[tuple[str, str], Row] = {}
     for item in fields(schedule):
         value = getattr(schedule, item.name)
         if isinstance(value, Row):
-            rows[item.name, ""] = _paths(value)
+            rows[item.name, ""] = value
         elif isinstance(value, tuple):
             for index, row in enumerate(value, start=1):
                 kind, name = _kind(item.name, row), _name(row, index)
                 while (kind, name) in rows:
                     name += " +"
-                rows[kind, name] = _paths(row)
+                rows[kind, name] = row
     return rows
 
 

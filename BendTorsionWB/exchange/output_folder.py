@@ -8,7 +8,7 @@ import itertools
 import json
 import os
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 
 from BendTorsionWB.core.finding import BETWEEN, BendTorsionError, Finding, error, warning
@@ -25,11 +25,17 @@ UPDATED = "update "
 @dataclass(frozen=True)
 class OwnFile:
     """A file of ours. member: whose it is, empty for the whole building; made_from: key of its
-    input; sha256: hash of what we wrote."""
+    input; sha256: hash of what we wrote; told: findings of what was left in it, as JSON, that hold
+    as long as it stays."""
 
     member: str
     made_from: str = ""
     sha256: str = ""
+    told: str = ""
+
+    def as_record(self) -> dict[str, str]:
+        """Its fields for the record of the folder."""
+        return {key: value for key, value in vars(self).items() if value or key != "told"}
 
 
 def check_folder(out: Path) -> None:
@@ -64,9 +70,9 @@ def read_manifest(out: Path) -> dict[str, OwnFile]:
     """Our files by name as the last build left them, also one that was killed; nothing where the
     record is lost."""
     files = _read(out).get("files")
-    found, whole = {}, out.resolve()
+    found, within = {}, _Within(out)
     for name, item in files.items() if isinstance(files, dict) else ():
-        own = _own_file(whole, name, item)
+        own = _own_file(within, name, item)
         if own is not None:
             found[name] = own
     for name, own in _read_journal(out):
@@ -76,21 +82,35 @@ def read_manifest(out: Path) -> dict[str, OwnFile]:
     return found
 
 
-def _own_file(out: Path, name: str, item: object) -> OwnFile | None:
-    """A file of a record that may be damaged; None for what is none within the folder `out`, a
-    resolved path."""
+def _own_file(within: _Within, name: str, item: object) -> OwnFile | None:
+    """A file of a record that may be damaged; None for what is none within the folder."""
     try:
-        if not isinstance(item, dict) or not _is_inside(out, name):
+        if not isinstance(item, dict) or not within.holds(name):
             return None
     except (OSError, ValueError):
         return None
-    return OwnFile(*(str(item.get(key, "")) for key in ("member", "made_from", "sha256")))
+    return OwnFile(*(str(item.get(own.name, "")) for own in fields(OwnFile)))
 
 
-def _is_inside(out: Path, name: str) -> bool:
-    """Whether a name leads to a place within a folder, links followed; out: resolved."""
-    place = os.path.realpath(out / name)
-    return place.startswith(f"{str(out).rstrip(os.sep)}{os.sep}")
+class _Within:
+    """Tells which names lead to places within a folder, links followed; where a folder within it
+    leads is looked at once."""
+
+    def __init__(self, out: Path):
+        self._whole = f"{os.path.realpath(out).rstrip(os.sep)}{os.sep}"
+        self._folders: dict[str, bool] = {}
+
+    def holds(self, name: str) -> bool:
+        """Whether a name does; raises ValueError for what can be no name."""
+        if "\0" in name:
+            raise ValueError(name)
+        folder, last = os.path.split(os.path.join(self._whole, name))
+        if last in ("", os.curdir, os.pardir) or os.path.islink(os.path.join(folder, last)):
+            return os.path.realpath(os.path.join(folder, last)).startswith(self._whole)
+        if folder not in self._folders:
+            place = os.path.realpath(folder).rstrip(os.sep)
+            self._folders[folder] = f"{place}{os.sep}".startswith(self._whole)
+        return self._folders[folder]
 
 
 def is_unfinished(out: Path) -> bool:
@@ -105,14 +125,14 @@ def _read_journal(out: Path) -> list[tuple[str, OwnFile]]:
         *lines, _ = (out / JOURNAL).read_text(encoding="utf-8").split("\n")
     except (OSError, ValueError):
         return []
-    found = []
+    found, within = [], _Within(out)
     for line in lines:
         try:
             item = json.loads(line)
             name = str(item["name"])
         except (ValueError, KeyError, TypeError):
             continue
-        own = _own_file(out.resolve(), name, item)
+        own = _own_file(within, name, item)
         if own is not None:
             found.append((name, own))
     return found
@@ -148,7 +168,7 @@ def write_manifest(
     """Keep the record of a project's files. outdated: members these are no longer of; errors: as
     of `standing_errors`. Raises BendTorsionError."""
     lines = ",\n".join(
-        f"{json.dumps(name)}: {json.dumps(vars(files[name]))}" for name in sorted(files)
+        f"{json.dumps(name)}: {json.dumps(files[name].as_record())}" for name in sorted(files)
     )
     told = f'"outdated": {json.dumps(list(outdated))}, ' if outdated else ""
     told += f'"errors": {json.dumps(dict(errors))}, ' if errors else ""
@@ -159,7 +179,8 @@ def write_manifest(
 def file_hash(path: Path) -> str:
     """sha256 of a file; empty when it cannot be read."""
     try:
-        return hashlib.sha256(path.read_bytes()).hexdigest()
+        with open(path, "rb") as stream:
+            return hashlib.file_digest(stream, "sha256").hexdigest()
     except OSError:
         return ""
 
@@ -195,7 +216,7 @@ class OutputFolder:
     def __init__(self, out: Path, former: dict[str, OwnFile], project: str = ""):
         self.out, self.former, self.now, self.project = out, former, {}, project
         self.errors = standing_errors(out)
-        self._noted = False
+        self._noted, self._within = False, _Within(out)
         self._told: list[Finding] = []
         for folder in {out, out / ".cache", *((out / name).parent for name in former)}:
             remove_parts(folder)
@@ -219,16 +240,30 @@ class OutputFolder:
         write_whole(self.out / name, content)
         self.now[name] = own
 
-    def wrote(self, name: str, made_from: str, member: str = "") -> None:
-        """The file, begun before, has just been written."""
-        self.now[name] = OwnFile(member, made_from, file_hash(self.out / name))
+    def wrote(
+        self, name: str, made_from: str, member: str = "", left: Iterable[Finding] = ()
+    ) -> None:
+        """The file, begun before, has just been written. left: as `left_in` tells it later."""
+        told = [finding.as_dict() for finding in left]
+        self.now[name] = OwnFile(
+            member, made_from, file_hash(self.out / name), json.dumps(told) if told else ""
+        )
         self._note(name, self.now[name])
 
+    def left_in(self, name: str) -> tuple[Finding, ...]:
+        """What was found to be left in a file that stays as a build before wrote it; nothing where
+        the record is damaged."""
+        own = self.former.get(name)
+        try:
+            return tuple(Finding(**item) for item in json.loads(own.told)) if own else ()
+        except (ValueError, TypeError):
+            return ()
+
     def _note(self, name: str, own: OwnFile) -> None:
-        if "\0" in name or not _is_inside(self.out.resolve(), name):
+        if "\0" in name or not self._within.holds(name):
             mend = "rename the member, section or plate it is named after"
             raise BendTorsionError(error("file-outside", name, "lies outside the folder", mend))
-        line = json.dumps({"name": name, **asdict(own)}) + "\n"
+        line = json.dumps({"name": name, **own.as_record()}) + "\n"
         try:
             self.out.mkdir(parents=True, exist_ok=True)
             if not self._noted and _read(self.out).get("project") != self.project:

@@ -5,20 +5,22 @@ that means for plates already cut."""
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
 from BendTorsionWB.core.finding import Finding, error, warning
-from BendTorsionWB.core.patterns.outline_change import SAME, deviation, trim
+from BendTorsionWB.core.patterns.outline_change import SAME, apart, deviation, trim
 from BendTorsionWB.exchange.plate_outlines import CutOutline
 from BendTorsionWB.exchange.whole_file import write_changed
 from BendTorsionWB.exchange.xlsx_file import HUNDREDTH, TEXT, Column, Table, xlsx_bytes
 
 STATUSES = ("cut", "trim", "scrap")
 """Of a plate in the shop: cut, so that it must not change, or its trimming or scrapping agreed."""
+OPENING = 0.5
+"""mm; an opening whose rim is no farther off is the one that is cut already."""
 REVISION = "revision"
 
 
@@ -76,15 +78,48 @@ def plate_changes(
     apart = [mark for mark in marks if not _equal(before.get(mark), after.get(mark))]
     found = run(plate_change, [before.get(m) for m in apart], [after.get(m) for m in apart])
     changed = {change.mark: change for change in found}
+    twins = _twins(before, after)
     changes = []
     for mark in marks:
         change = changed.get(mark) or PlateChange(mark, "same", 0.0, 0.0, 0.0)
-        status = statuses.get(mark, "")
+        status, twin = statuses.get(mark, ""), twins.get(mark)
+        if twin:
+            own = "new" if change.what == "void" else "void"
+            change = replace(change, note=f"the same plate as {twin}, which is {own}")
         if status and change.what != "same":
             verdict = _verdict(change, before.get(mark), after.get(mark))
+            if twin and change.what == "void":
+                verdict = f"use as it is, its mark apart: {change.note}"
             change = replace(change, status=status, verdict=verdict)
         changes.append(change)
     return tuple(changes)
+
+
+def _twins(before: Mapping[str, CutOutline], after: Mapping[str, CutOutline]) -> dict[str, str]:
+    """Marks of plates of members that are gone and of members that are new where all plates of the
+    one are those of the other to the last digit, as when a member is renamed, each by the other;
+    none where two members are alike."""
+    sides = []
+    for own, other in ((before, after), (after, before)):
+        staying = {plate.member for plate in other.values()}
+        members: dict[str, list[tuple]] = {}
+        for mark, plate in own.items():
+            if plate.member not in staying:
+                content = (mark.removeprefix(plate.member), plate.thickness, plate.material)
+                rings = tuple(ring.tobytes() for ring in (plate.outline, *plate.holes))
+                members.setdefault(plate.member, []).append((*content, rings))
+        alike: dict[tuple, list[str]] = {}
+        for member, plates in members.items():
+            alike.setdefault(tuple(sorted(plates)), []).append(member)
+        sides.append(alike)
+    found = {}
+    for plates, gone in sides[0].items():
+        came = sides[1].get(plates, ())
+        if len(gone) == 1 == len(came):
+            for ending, *_ in plates:
+                one, other = f"{gone[0]}{ending}", f"{came[0]}{ending}"
+                found |= {one: other, other: one}
+    return found
 
 
 def with_marking(
@@ -123,11 +158,12 @@ def _verdict(change: PlateChange, old: CutOutline | None, new: CutOutline | None
         return "scrap: the plate is no longer needed"
     if old.thickness != new.thickness or old.material != new.material:
         return f"scrap: {change.note}"
-    if not all(_inside_none(hole, new) for hole in old.holes):
-        return "scrap: it has an opening where the new one has none"
     cut = trim(old.outline, new.outline, old.end_first)
     if not cut.possible:
         return f"scrap: {cut.missing:.1f} mm of material are missing"
+    wanted = [cut.laid(hole) for hole in new.holes]
+    if not all(_is_among(hole, wanted) for hole in old.holes):
+        return "scrap: it has an opening where the new one has none"
     work = [f"trim {mm:.1f} mm at {side}" for side, mm in cut.sides]
     if len(new.holes) > len(old.holes):
         work.append("cut the new openings")
@@ -137,16 +173,15 @@ def _verdict(change: PlateChange, old: CutOutline | None, new: CutOutline | None
 def _same_holes(before: CutOutline, after: CutOutline) -> bool:
     if len(before.holes) != len(after.holes):
         return False
-    own = (before.outline.mean(axis=0), after.outline.mean(axis=0))
+    shift = before.outline.mean(axis=0) - after.outline.mean(axis=0)
     return all(
-        deviation(old, new) <= SAME
-        and abs((old.mean(axis=0) - own[0]) - (new.mean(axis=0) - own[1])).max() <= 1.0
+        deviation(old, new) <= SAME and apart(old, new + shift) <= OPENING
         for old, new in zip(before.holes, after.holes)
     )
 
 
-def _inside_none(hole, new: CutOutline) -> bool:
-    return any(deviation(hole, other) <= SAME for other in new.holes)
+def _is_among(hole: np.ndarray, others: Iterable[np.ndarray]) -> bool:
+    return any(apart(hole, other) <= OPENING for other in others)
 
 
 def cut_findings(changes: tuple[PlateChange, ...]) -> tuple[Finding, ...]:
@@ -156,6 +191,8 @@ def cut_findings(changes: tuple[PlateChange, ...]) -> tuple[Finding, ...]:
 
 
 def _cut_finding(change: PlateChange) -> Finding:
+    scrap = change.verdict.startswith("scrap")
+    usable = change.verdict.startswith("use as it is")
     if change.what == "new":
         return error(
             "cut-plate-new",
@@ -163,8 +200,6 @@ def _cut_finding(change: PlateChange) -> Finding:
             f"has the status {change.status}, but the last issue holds no such plate",
             "correct its mark, or take its row away until the plate is issued",
         )
-    scrap = change.verdict.startswith("scrap")
-    usable = change.verdict.startswith("use as it is")
     agreed = usable or change.status == "scrap" or (change.status == "trim" and not scrap)
     # A thickness, an opening or the end of a plate is no distance of outlines.
     far = change.deviation is not None and change.deviation > SAME

@@ -279,7 +279,8 @@ class StatusRow(Row):
 @dataclass(frozen=True)
 class Schedule:
     """A whole schedule, free of every error that can be told without geometry. folder: where the
-    workbook lies, which names of files are relative to."""
+    workbook lies, which names of files are relative to; kept: rows that no member needs, as
+    `kept_rows` has them."""
 
     file: str
     settings: Settings
@@ -293,6 +294,7 @@ class Schedule:
     parts: tuple[PartRow, ...] = ()
     nodes: tuple[NodeRow, ...] = ()
     statuses: tuple[StatusRow, ...] = ()
+    kept: str = field(default="", compare=False, repr=False)
 
     def material(self, name: str) -> MaterialRow:
         """The material of this name; KeyError when there is none, as for the three below."""

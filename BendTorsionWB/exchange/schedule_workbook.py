@@ -11,6 +11,7 @@ from openpyxl.utils import get_column_letter
 
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error
 from BendTorsionWB.exchange.csv_folder import read_folder
+from BendTorsionWB.exchange.output_folder import MANIFEST
 from BendTorsionWB.exchange.schedule_cells import BadCell, Percent, did_you_mean
 from BendTorsionWB.exchange.schedule_columns import OPTIONAL_SHEETS, SHEETS
 from BendTorsionWB.exchange.schedule_headings import (
@@ -29,6 +30,7 @@ _WRITTEN = {
     ("Summary", "Plates", "Checks"): "a results file",
     ("Transmittal",): "the transmittal of a revision",
     ("Changes",): "a list of changes",
+    ("Plates",): "the plates since the last issue",
 }
 """Sheets that tell a workbook or folder written by this program from a schedule."""
 
@@ -69,11 +71,17 @@ class Record:
 
     def error(self, column: str, code: str, message: str, mend: str = "", **fields) -> Finding:
         """An error finding at a cell of this row, with the cell's value."""
-        fields.setdefault("value", self.given.get(column))
+        fields.setdefault("value", shown(self.given.get(column)))
         return self.place.error(column, code, message, mend, **fields)
 
 
 def shown(value):
+    """A cell's value in a finding: as a person sees it, long texts cut short."""
+    value = plain_cell(value)
+    return f"{value[:77]}..." if isinstance(value, str) and len(value) > 80 else value
+
+
+def plain_cell(value):
     """A cell's value as a person sees it: numbers stay numbers, everything else is text."""
     if isinstance(value, Percent):
         return f"{value * 100:.10g}%"
@@ -81,9 +89,7 @@ def shown(value):
         return str(value)
     if isinstance(value, float) and value.is_integer() and abs(value) < 1e15:
         return int(value)
-    if isinstance(value, str) and len(value) > 80:
-        return value[:77] + "..."
-    return value if isinstance(value, (int, float, str)) else str(value)
+    return value if value is None or isinstance(value, (int, float, str)) else str(value)
 
 
 def parse_cell(place: Place, column, raw) -> tuple[object, Finding | None]:
@@ -107,6 +113,7 @@ def read_records(path) -> tuple[dict[str, list[Record] | None], list[tuple[Place
     Raises BendTorsionError with one finding when the file cannot be opened as a workbook.
     """
     path = Path(path)
+    _refuse_kind(path)
     workbook, hollow, broken = (read_folder(path), {}, []) if path.is_dir() else open_workbook(path)
     if broken:
         raise BendTorsionError(
@@ -150,6 +157,41 @@ def read_records(path) -> tuple[dict[str, list[Record] | None], list[tuple[Place
             message = f"sheet {title} is missing"
             faults.append((place, place.error("", "sheet-missing", message, mend)))
     return records, faults
+
+
+def _refuse_kind(path: Path) -> None:
+    """Raises BendTorsionError for what is no schedule by its name or record: a document, a single
+    CSV file, the folder of a build."""
+    name = path.name or str(path)
+    lists = {file.stem for file in path.glob("*.csv")}
+    if (path / MANIFEST).is_file() and lists <= {"nesting"}:
+        raise BendTorsionError(
+            error(
+                "schedule-is-results",
+                name,
+                "this is the folder of a build, not a schedule",
+                "name the schedule it was made from",
+            )
+        )
+    if path.suffix.lower() == ".fcstd" and path.is_file():
+        raise BendTorsionError(
+            error(
+                "schedule-is-results",
+                name,
+                "this is a FreeCAD document, not a schedule",
+                "name the schedule it was made from, or write it back as one: "
+                f"export {name} --out {path.stem}.xlsx",
+            )
+        )
+    if path.suffix.lower() == ".csv" and path.is_file():
+        raise BendTorsionError(
+            error(
+                "not-xlsx",
+                name,
+                "a single .csv file is no whole schedule",
+                "name the folder that holds a .csv file for each sheet",
+            )
+        )
 
 
 def _refuse_written(path: Path, names: list[str]) -> None:
@@ -283,7 +325,7 @@ def _read_row(cells, place, by_index, raw, hollow, faults) -> Record:
             bad.add(column.name)
             faults.append((place, fault))
         if raw[cell.column] is not None:
-            given[column.name] = shown(raw[cell.column])
+            given[column.name] = plain_cell(raw[cell.column])
     for column in SHEETS[place.sheet]:
         values.setdefault(column.name, column.default)
     return Record(place, values, given, frozenset(bad))

@@ -5,7 +5,7 @@ same bytes."""
 from __future__ import annotations
 
 import hashlib
-import itertools
+import os
 import re
 import uuid
 import zipfile
@@ -15,42 +15,32 @@ from pathlib import Path
 TIME = "1980-01-01T00:00:00Z"
 
 
-def timeless_step(content: bytes, name: str, software: str) -> bytes:
-    """A STEP file with its header's file name, time stamp and origin replaced, and the numbers of
-    its parts counted from 1 in each file, not through all files of the process."""
-    header, separator, rest = content.partition(b"DATA;")
-    header = re.sub(
-        rb"FILE_NAME\(.*?\);",
-        f"FILE_NAME('{name}','{TIME[:-1]}',(''),(''),'{software}','FreeCAD','');".encode(),
-        header,
-        flags=re.DOTALL,
-    )
-    numbers = itertools.count(1)
-    rest = re.sub(
-        rb"(NEXT_ASSEMBLY_USAGE_OCCURRENCE\(')\d+",
-        lambda match: match.group(1) + b"%d" % next(numbers),
-        rest,
-    )
-    return header + separator + rest
-
-
 def timeless_document(path: Path, shown: Sequence[str] = ()) -> None:
     """A FreeCAD document rewritten in place: entries in order, without times and random ids.
 
     shown: names of its objects, none of which has a view of its own making, that are visible when
     it is opened; without a window FreeCAD saves no views, and what has none is hidden.
     """
-    with zipfile.ZipFile(path) as source:
-        entries = [(info.filename, source.read(info)) for info in source.infolist()]
-    if shown:
-        entries.append(("GuiDocument.xml", _views(shown).encode()))
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=3) as target:
-        for name, content in entries:
-            if name == "Document.xml":
-                content = _timeless_xml(content.decode()).encode()
-            info = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
-            info.compress_type = zipfile.ZIP_DEFLATED
-            target.writestr(info, content, compresslevel=3)
+    part = path.with_name(f"{path.name}.new")
+    try:
+        with zipfile.ZipFile(path) as source, zipfile.ZipFile(part, "w") as target:
+            # One by one: a model of hundreds of members has as many MB.
+            for info in source.infolist():
+                content = source.read(info)
+                if info.filename == "Document.xml":
+                    content = _timeless_xml(content.decode()).encode()
+                _pack(target, info.filename, content)
+            if shown:
+                _pack(target, "GuiDocument.xml", _views(shown).encode())
+        os.replace(part, path)
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def _pack(target: zipfile.ZipFile, name: str, content: bytes) -> None:
+    info = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
+    info.compress_type = zipfile.ZIP_DEFLATED
+    target.writestr(info, content, compresslevel=3)
 
 
 def _views(shown: Sequence[str]) -> str:

@@ -7,6 +7,7 @@ import errno
 import os
 import re
 import shutil
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -99,6 +100,17 @@ def not_written(path: Path, failure: OSError) -> Finding:
         f"cannot be written: {failure.strerror or failure}",
         mend,
     )
+
+
+@contextmanager
+def in_temporary_folder() -> Iterator[None]:
+    """What fails to be written in the system's temporary folder inside the block raises
+    BendTorsionError that says why."""
+    try:
+        yield
+    except OSError as failure:
+        tried = Path(tempfile.gettempdir()) / "BendTorsion"
+        raise BendTorsionError(not_written(tried, failure)) from failure
 
 
 def _told_by_system(path: Path) -> OSError | None:

@@ -88,6 +88,9 @@ def open_workbook(path: Path) -> tuple[openpyxl.Workbook, dict, list[NoNumber]]:
             mend = "save it without a password"
             raise refuse("file-encrypted", "the workbook is encrypted", mend)
         raise refuse("not-xlsx", "an old Excel file (.xls), not a workbook (.xlsx)", _SAVE_AS_XLSX)
+    if content.startswith(b"PK\3\4") and not zipfile.is_zipfile(io.BytesIO(content)):
+        message = "the file is cut short, as when saving or copying it was interrupted"
+        raise refuse("file-unreadable", message, "save or copy it again, or restore it")
     if not zipfile.is_zipfile(io.BytesIO(content)):
         raise refuse("not-xlsx", "not an Excel workbook (.xlsx)", _SAVE_AS_XLSX)
     hollow = None

@@ -12,6 +12,7 @@ import math
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from xml.sax.saxutils import escape, quoteattr
 
 from .zip_parts import Packed, packed, zip_bytes
@@ -182,7 +183,9 @@ def _cells(values: Sequence, styles: Sequence[int]) -> str:
     return "".join(cells)
 
 
+@lru_cache(maxsize=4096)
 def _text(text: str, style: int) -> str:
+    # Members, marks and lines are named again and again.
     plain = escape(_NOT_XML.sub(" ", text))
     space = ' xml:space="preserve"' if plain != " ".join(plain.split()) else ""
     return f'<c s="{style}" t="inlineStr"><is><t{space}>{plain}</t></is></c>'

@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import FreeCADGui
 
-from BendTorsionWB.gui.qt import QtWidgets
+from BendTorsionWB.gui.qt import QtCore, QtWidgets
 
 
 def open_file(title: str, kinds: str) -> str | None:
@@ -14,13 +16,23 @@ def open_file(title: str, kinds: str) -> str | None:
     return QtWidgets.QFileDialog.getOpenFileName(window, title, "", kinds)[0] or None
 
 
-def save_file(title: str, kinds: str, suffix: str) -> str | None:
-    """A file to write, its name ending in suffix unless the user gave another one."""
+def save_file(title: str, kinds: str, suffix: str, name: str = "") -> str | None:
+    """A file to write, its name ending in suffix unless the user gave another one. name: the one
+    proposed, numbered where there is such a file already."""
     window = FreeCADGui.getMainWindow()
-    path = QtWidgets.QFileDialog.getSaveFileName(window, title, "", kinds)[0]
+    path = QtWidgets.QFileDialog.getSaveFileName(window, title, _free(name, suffix), kinds)[0]
     if path and "." not in path.rsplit("/", 1)[-1]:
         path += suffix
     return path or None
+
+
+def _free(name: str, suffix: str) -> str:
+    """The path of a file of that name in the user's documents that is not there yet."""
+    if not name:
+        return ""
+    folder = QtCore.QStandardPaths.writableLocation(QtCore.QStandardPaths.DocumentsLocation)
+    paths = (Path(folder) / f"{name}{k}{suffix}" for k in ("", *range(2, 1000)))
+    return str(next(path for path in paths if not path.exists()))
 
 
 def folder(title: str) -> str | None:

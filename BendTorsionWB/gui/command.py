@@ -10,8 +10,8 @@ from dataclasses import dataclass
 import FreeCAD
 import FreeCADGui
 
-from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.gui import ask, resources
+from BendTorsionWB.core.finding import BendTorsionError, error
+from BendTorsionWB.gui import ask, finding_words, resources
 from BendTorsionWB.gui.progress import Cancelled
 from BendTorsionWB.gui.qt import QtWidgets
 
@@ -63,18 +63,21 @@ class Command:
 
 @contextmanager
 def errors_shown():
-    """A BendTorsionError inside is shown in a message box and in the Report view, no traceback;
-    work the user stopped, or a file that cannot be written, likewise in a line."""
+    """A BendTorsionError inside is shown in a message box, no traceback; work the user stopped, or
+    a file that cannot be written, likewise in a line. Not in the Report view, which would open
+    and take the place of the 3D view."""
     try:
         yield
     except Cancelled:
         ask.tell(FreeCAD.Qt.translate("BendTorsion", "Stopped"))
     except OSError as problem:
-        _show(f"error: {problem.filename or 'file'}: {problem.strerror or problem}")
+        told = str(problem.strerror or problem)
+        found = error("file", str(problem.filename or "file"), told)
+        _show(finding_words.told(BendTorsionError(found)))
     except BendTorsionError as problem:
-        _show(str(problem))
+        _show(finding_words.told(problem))
 
 
 def _show(text: str) -> None:
-    FreeCAD.Console.PrintError(f"{text}\n")
+    FreeCAD.Console.PrintLog(f"{text}\n")
     QtWidgets.QMessageBox.warning(FreeCADGui.getMainWindow(), "BendTorsion", text)

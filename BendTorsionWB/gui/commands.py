@@ -6,6 +6,7 @@ from __future__ import annotations
 import FreeCADGui
 
 from BendTorsionWB.gui import (
+    BendTorsionWB,
     commands_files,
     commands_model,
     commands_output,
@@ -52,8 +53,7 @@ def commands() -> dict[str, Command]:
 
 def register() -> None:
     """Add the commands to FreeCAD."""
-    for command in commands().values():
-        FreeCADGui.addCommand(command.full_name, command)
+    BendTorsionWB.add(commands().values())
 
 
 def full_names(names) -> list[str]:

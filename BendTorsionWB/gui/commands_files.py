@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
+from contextlib import nullcontext
 from pathlib import Path
 
 import FreeCAD
 import FreeCADGui
 
-from BendTorsionWB.gui import ask, macro, resources, selection
+from BendTorsionWB.gui import ask, finding_words, first_view, macro, resources, selection
 from BendTorsionWB.gui.command import Command
 from BendTorsionWB.gui.progress import PATIENCE, progress
 
@@ -60,22 +61,7 @@ def import_schedule(document) -> None:
 def _open_schedule(title: str, path, sheets: bool = False) -> None:
     with progress(title):
         macro.on_files(None, "open_schedule", str(path), sheets=sheets)
-    _look_at_members(FreeCAD.ActiveDocument)
-
-
-def _look_at_members(document) -> None:
-    """Turn the view to the plates; surfaces may be much larger than what is built on them."""
-    view = FreeCADGui.getDocument(document.Name).ActiveView
-    if not hasattr(view, "viewIsometric"):
-        return
-    view.viewIsometric()
-    FreeCADGui.Selection.clearSelection()
-    for item in document.Objects:
-        if getattr(item, "BT_Type", "") == "PlateSet":
-            FreeCADGui.Selection.addSelection(document.Name, item.Name)
-    chosen = bool(FreeCADGui.Selection.getSelection())
-    FreeCADGui.SendMsgToActiveView("ViewSelection" if chosen else "ViewFit")
-    FreeCADGui.Selection.clearSelection()
+    first_view.look_at_members(FreeCAD.ActiveDocument)
 
 
 def write_schedule(document) -> None:
@@ -92,7 +78,7 @@ def write_schedule(document) -> None:
     with progress(title):
         found = macro.on_files(document, "write_schedule", document, path)
     for finding in found:
-        FreeCAD.Console.PrintWarning(f"{finding.line()}\n")
+        FreeCAD.Console.PrintWarning(f"{finding_words.line(finding)}\n")
     ask.tell(
         translate("BendTorsion", "Written: {file}; {count} things a schedule cannot say").format(
             file=path, count=len(found)
@@ -113,17 +99,21 @@ def example(document) -> None:
     if chosen == hall:
         _open_schedule(title, resources.FOLDER / "examples" / HALL)
         return
-    path = ask.save_file(title, translate("BendTorsion", DOCUMENTS), ".FCStd")
+    path = ask.save_file(title, translate("BendTorsion", DOCUMENTS), ".FCStd", titles[chosen])
     if path is None:
         return
     macro.on_files(None, "open_template", titles[chosen], path)
-    _look_at_members(FreeCAD.ActiveDocument)
+    first_view.look_at_members(FreeCAD.ActiveDocument)
 
 
 def repair(document) -> None:
     """Give objects back what computes them, after a document was saved without the workbench."""
+    from BendTorsionWB.objects.repair import bare_objects
+
     title = translate("BendTorsion", "Repair document")
-    with progress(title, PATIENCE), macro.undo_step(document, title):
+    # Where nothing is done no undo step says that something was.
+    step = macro.undo_step(document, title) if bare_objects(document) else nullcontext()
+    with progress(title, PATIENCE), step:
         labels = macro.on_files(document, "repair", document)
     if labels:
         text = translate("BendTorsion", "Repaired: {count} objects")

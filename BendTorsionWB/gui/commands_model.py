@@ -44,7 +44,7 @@ def make_members(document, surface, curves, choice) -> list:
     with progress(title, PATIENCE) as report, macro.undo_step(document, title):
         before = len(document.Objects)
         if isinstance(surface, tuple):
-            surface = macro.make(
+            surface = selection.surface_of(surface) or macro.make(
                 "make_surface", document, free_label(document, "Surface"), face=surface
             )
         section = macro.make(
@@ -68,6 +68,12 @@ def make_members(document, surface, curves, choice) -> list:
             members.append(member)
         macro.recompute(report, document.Objects[before:])
         macro.raise_errors(document.Objects[before:])
+        # Faces the members follow lie in their own faces, where both flicker.
+        surface.ViewObject.Visibility = False
+        if surface.Source is not None:
+            surface.Source[0].ViewObject.Visibility = False
+    # What was picked is not what is worked on next.
+    FreeCADGui.Selection.clearSelection()
     return members
 
 
@@ -92,8 +98,8 @@ def free_label(document, label: str) -> str:
 
 
 def surface(document) -> None:
-    """The picked faces as a Surface, or the sizes of the Surface picked; with nothing picked, an
-    ellipsoid whose kind and sizes are asked."""
+    """The picked faces as a Surface, that which they have when there is one, or the sizes of the
+    Surface picked; with nothing picked, an ellipsoid whose kind and sizes are asked."""
     from BendTorsionWB.gui.panels_model import SurfacePanel
 
     given = selection.picked()
@@ -118,6 +124,12 @@ def surface(document) -> None:
                 "BendTorsion", "select faces of one shape, or nothing for a dome by its sizes"
             ),
         )
+    there = selection.surface_of(faces[0]) if faces else None
+    if there is not None:
+        SurfacePanel(Preview(document, name, [there])).show()
+        words = translate("BendTorsion", "The faces have their surface already: {surface}")
+        ask.tell(words.format(surface=there.Label))
+        return
     label = free_label(document, "Surface")
     source = {"face": faces[0]} if faces else {}
 
@@ -144,6 +156,7 @@ def axis(document) -> None:
         return
     if not surfaces and len(faces) == 1:
         target = faces.pop()
+        target = selection.surface_of(target) or target
     elif len(surfaces) == 1:
         target = surfaces[0]
     else:
@@ -224,7 +237,7 @@ def cut_point(document) -> None:
     """A cut where the selected member was clicked; in its middle when it was picked in the tree."""
     from BendTorsionWB.gui.member_panel import MemberPanel, place_on
 
-    mend = QT_TRANSLATE_NOOP("BendTorsion", "click a member where the cut is to be")
+    mend = QT_TRANSLATE_NOOP("BendTorsion", "click a member where the cut is to be, then Cut point")
     given = selection.picked()
     target = selection.only(selection.of_member(given, "Member", mend), MEMBERS, mend)
     points = [

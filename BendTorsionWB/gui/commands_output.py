@@ -6,7 +6,7 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui
 
-from BendTorsionWB.gui import ask, macro, selection, tree
+from BendTorsionWB.gui import ask, finding_words, macro, selection, tree
 from BendTorsionWB.gui.command import Command
 from BendTorsionWB.gui.commands_plates import make_all, users
 from BendTorsionWB.gui.progress import progress
@@ -62,11 +62,19 @@ def sheets(document) -> None:
         return [macro.make("make_sheets", document, item, bed=_bed_of(item)) for item in missing]
 
     made = make_all(document, title, make)
+    pages = []
     for item in made:
         for page in tree.children(item):
             # The frames FreeCAD draws round views are no part of a drawing.
             if "ShowFrames" in page.ViewObject.PropertiesList:
                 page.ViewObject.ShowFrames = False
+            if page.isDerivedFrom("TechDraw::DrawPage"):
+                pages.append(page)
+    if pages:
+        pages[0].ViewObject.doubleClicked()
+    labels = ", ".join(item.Label for item in made)
+    words = translate("BendTorsion", "{count} pages, in the tree below {sheets}")
+    ask.tell(words.format(count=len(pages), sheets=labels))
 
 
 def _bed_of(unfold):
@@ -113,7 +121,7 @@ def report(document) -> None:
 
 def _warn_of_errors(findings) -> None:
     """Show the errors of what is not in the files, where there are any."""
-    lines = [finding.line() for finding in findings if finding.severity == "error"]
+    lines = [finding_words.line(finding) for finding in findings if finding.severity == "error"]
     if not lines:
         return
     text = translate("BendTorsion", "Written without what is in error:")

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import FreeCAD
+import FreeCADGui
 
 from BendTorsionWB.gui import ask, macro, selection
 from BendTorsionWB.gui.command import Command
@@ -155,7 +156,14 @@ def development(document) -> None:
     from BendTorsionWB.gui.panels_detail import DevelopmentPanel
 
     name = translate("BendTorsion", "Development")
-    _of_plates(document, "Unfold", "make_unfold", name, DevelopmentPanel)
+    _of_plates(document, "Unfold", _make_unfold, name, DevelopmentPanel)
+
+
+def _make_unfold(make: Callable, document, plates):
+    """Patterns beside the model and those there are."""
+    from BendTorsionWB.make import place_beside
+
+    return make("make_unfold", document, plates, place=place_beside(document, plates))
 
 
 def assembly_bed(document) -> None:
@@ -163,10 +171,14 @@ def assembly_bed(document) -> None:
     from BendTorsionWB.gui.panels_detail import BedPanel
 
     name = translate("BendTorsion", "Assembly bed")
-    _of_plates(document, "AssemblyBed", "make_bed", name, BedPanel)
+    _of_plates(document, "AssemblyBed", _make_bed, name, BedPanel)
 
 
-def _of_plates(document, kind: str, function: str, name: str, panel: Callable) -> None:
+def _make_bed(make: Callable, document, plates):
+    return make("make_bed", document, plates)
+
+
+def _of_plates(document, kind: str, new: Callable, name: str, panel: Callable) -> None:
     """What follows the selected PlateSets: of several made where it is missing, of one in a panel,
     new or as it is."""
     own = selection.of_member(selection.picked(), "PlateSet", MEND)
@@ -178,18 +190,18 @@ def _of_plates(document, kind: str, function: str, name: str, panel: Callable) -
                 translate("BendTorsion", "{labels} have it already").format(labels=labels),
                 QT_TRANSLATE_NOOP("BendTorsion", "select one to edit it"),
             )
-        make_all(
-            document, name, lambda: [shown(macro.make(function, document, one)) for one in missing]
-        )
+        make_all(document, name, lambda: [shown(new(macro.make, document, one)) for one in missing])
+        FreeCADGui.SendMsgToActiveView("ViewFit")
         return
     if not missing:
         panel(Preview(document, name, users(own[0], kind)[:1])).show()
         return
 
     def create(make):
-        return [shown(make(function, document, own[0]))]
+        return [shown(new(make, document, own[0]))]
 
     panel(Preview(document, name, create=create)).show()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
 
 
 def make_all(document, name: str, make: Callable[[], list]) -> list:

@@ -10,6 +10,9 @@ import FreeCADGui
 
 from BendTorsionWB.gui.qt import QtCore, QtWidgets
 
+LEAST_HEIGHT = 280
+"""Pixels a dock is opened with at least: some rows below the headings."""
+
 
 class DocumentDock(QtWidgets.QDockWidget):
     """Subclasses fill their widget in `refresh`, from `self.document`, None when there is none."""
@@ -86,8 +89,26 @@ def shown(kind, name: str):
     """The one dock of a kind in the window, made when there is none, shown and raised."""
     window = FreeCADGui.getMainWindow()
     dock = window.findChild(QtWidgets.QDockWidget, name)
-    if dock is None:
+    new = dock is None
+    if new:
         dock = kind()
+    if not dock.isVisible():
+        _join_visible(window, dock)
     dock.show()
     dock.raise_()
+    if new and dock.height() < LEAST_HEIGHT:
+        window.resizeDocks([dock], [LEAST_HEIGHT], QtCore.Qt.Vertical)
     return dock
+
+
+def _join_visible(window, dock) -> None:
+    """Put a dock before one that is seen at the bottom of the window: beside the Report view a
+    table has no width to be read."""
+    bottom = QtCore.Qt.BottomDockWidgetArea
+    if dock.isFloating() or window.dockWidgetArea(dock) != bottom:
+        return
+    for other in window.findChildren(QtWidgets.QDockWidget):
+        placed = window.dockWidgetArea(other) == bottom and not other.isFloating()
+        if placed and other.isVisible():
+            window.tabifyDockWidget(other, dock)
+            return

@@ -9,9 +9,10 @@ import FreeCAD
 import FreeCADGui
 
 from BendTorsionWB.core.finding import SEVERITIES, BendTorsionError, Finding
+from BendTorsionWB.gui import finding_words
 from BendTorsionWB.gui.dock import DocumentDock, shown
 from BendTorsionWB.gui.qt import QtGui, QtWidgets
-from BendTorsionWB.gui.task_panel import COLOURS
+from BendTorsionWB.gui.task_panel import colour_of
 from BendTorsionWB.gui.tree import LINKED_ABOVE
 
 translate = FreeCAD.Qt.translate
@@ -148,11 +149,12 @@ class FindingsPanel(DocumentDock):
         self.found = findings_of(self.document)
         self.table.setRowCount(len(self.found))
         for r, (_, finding) in enumerate(self.found):
-            for c, name in enumerate(COLUMNS):
-                item = QtWidgets.QTableWidgetItem(_text(getattr(finding, name), finding.unit))
-                item.setToolTip(finding.line())
+            line = finding_words.line(finding)
+            for c, text in enumerate(finding_words.cells(finding, COLUMNS)):
+                item = QtWidgets.QTableWidgetItem(text)
+                item.setToolTip(line)
                 if c == 0:
-                    item.setForeground(QtGui.QColor(COLOURS[finding.severity]))
+                    item.setForeground(QtGui.QColor(colour_of(finding.severity, self.table)))
                 self.table.setItem(r, c, item)
         self.table.resizeColumnsToContents()
         severities = [finding.severity for _, finding in self.found]
@@ -177,9 +179,3 @@ class FindingsPanel(DocumentDock):
             go_to(self.document, place)
         elif view_of(self.document) is not None:
             FreeCADGui.SendMsgToActiveView("ViewSelection")
-
-
-def _text(value, unit: str) -> str:
-    if value is None:
-        return ""
-    return f"{value:.6g} {unit}".strip() if isinstance(value, float) else str(value)

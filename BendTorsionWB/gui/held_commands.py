@@ -13,7 +13,7 @@ import FreeCAD
 import FreeCADGui
 
 from BendTorsionWB.gui import ask
-from BendTorsionWB.gui.qt import QtCore
+from BendTorsionWB.gui.qt import QtCore, QtGui
 
 translate = FreeCAD.Qt.translate
 EVERY = 500
@@ -32,7 +32,9 @@ class HeldCommands(QtCore.QObject):
         self.actions = [action for item in found if item for action in item.getAction()]
         for action in self.actions:
             action.blockSignals(True)
-            action.installEventFilter(self)
+        # FreeCAD 1.0 may keep a key from its action: heard where all keys pass.
+        self.window = FreeCADGui.getMainWindow()
+        self.window.installEventFilter(self)
         self.timer = QtCore.QTimer(self)
         self.timer.timeout.connect(self._look)
         self.timer.start(EVERY)
@@ -45,14 +47,20 @@ class HeldCommands(QtCore.QObject):
     def release(self) -> None:
         """Give them back."""
         self.timer.stop()
+        self.window.removeEventFilter(self)
         for action in self.actions:
-            action.removeEventFilter(self)
             action.blockSignals(False)
         self.actions = []
 
-    def eventFilter(self, action, event):
-        """Called by Qt before the action has the event."""
-        if event.type() != QtCore.QEvent.Shortcut:
-            return False
-        ask.tell(translate("BendTorsion", "Close the panel first, by OK or Cancel"))
-        return True
+    def eventFilter(self, window, event):
+        """Called by Qt before the window has a key that nothing in front of it took."""
+        if event.type() == QtCore.QEvent.ShortcutOverride and self._keys(event):
+            ask.tell(translate("BendTorsion", "Close the panel first, by OK or Cancel"))
+        return False
+
+    def _keys(self, event) -> bool:
+        """Whether a key event is one of a held command."""
+        modifiers = event.modifiers()
+        # Flags, not numbers, in PySide6.
+        pressed = QtGui.QKeySequence(int(getattr(modifiers, "value", modifiers)) | int(event.key()))
+        return any(pressed in action.shortcuts() for action in self.actions)

@@ -95,6 +95,7 @@ def paint(found: dict[tuple, list[str]]):
         names = ", ".join(labels[:MOST_NAMES]) + (" …" if len(labels) > MOST_NAMES else "")
         title = translate("BendTorsion", TITLES[by]) if by in TITLES else by
         rows = [line.split(" ", 1) for line in lines]
+        rows = [(colour, translate("BendTorsion", text)) for colour, text in rows]
         texts = [title, names, *(text for _, text in rows)]
         width = SWATCH + MARGIN + max(measure.boundingRect(text).width() for text in texts)
         columns.append((title, names, rows, width))

@@ -10,6 +10,7 @@ import FreeCAD
 import FreeCADGui
 
 from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.gui.recomputing import keys_kept, recompute_each
 
 
 def literal(value) -> str:
@@ -75,28 +76,44 @@ def bind(obj, name: str, text: str | None) -> None:
 
 
 def recompute(progress=None, objects=()) -> None:
-    """Recompute the document as a recorded line; before, objects one by one, with progress told
-    after each (`project.Progress`), which may raise to stop."""
-    for done, obj in enumerate(objects):
-        if progress is not None:
-            progress(obj.Label, done, len(objects))
-        obj.recompute()
-    FreeCADGui.doCommand("document.recompute()")
+    """Recompute the document of objects as a recorded line; with progress (`project.Progress`,
+    which may raise to stop) it is told before each object that is computed."""
+    if progress is not None and objects:
+        recompute_each(objects[0].Document, progress)
+    with keys_kept():
+        FreeCADGui.doCommand("document.recompute()")
 
 
 @contextmanager
 def undo_step(document, name: str):
     """Everything inside is one undo step; an exception takes all of it back."""
-    document.openTransaction(name)
     key = document.Name
-    try:
-        begin(document)
+    begin(document)
+    with _active(document):
+        document.openTransaction(name)
+        try:
+            yield
+        except BaseException:
+            if key in FreeCAD.listDocuments():
+                document.abortTransaction()
+            raise
+        document.commitTransaction()
+
+
+@contextmanager
+def _active(document):
+    """Make a document the active one meanwhile: of a step in another document FreeCAD leaves an
+    empty one in that which is active."""
+    former = FreeCAD.ActiveDocument.Name if FreeCAD.ActiveDocument else document.Name
+    if former == document.Name:
         yield
-    except BaseException:
-        if key in FreeCAD.listDocuments():
-            document.abortTransaction()
-        raise
-    document.commitTransaction()
+        return
+    FreeCAD.setActiveDocument(document.Name)
+    try:
+        yield
+    finally:
+        if former in FreeCAD.listDocuments():
+            FreeCAD.setActiveDocument(former)
 
 
 def raise_errors(objects) -> None:

@@ -6,7 +6,8 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui
 
-from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.core.finding import BendTorsionError, Finding
+from BendTorsionWB.gui import finding_words
 from BendTorsionWB.gui.alignment_picker import AlignmentPicker
 from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.property_form import PropertyForm
@@ -98,11 +99,11 @@ class MemberPanel(TaskPanel):
         if number != self.segment:
             self.segments.setCurrentIndex(number - 1)
 
-    def property_of(self, record: dict) -> str:
+    def property_of(self, finding: Finding) -> str:
         """Findings about a cut name its segment."""
-        if record["position"].startswith("segment ") and record["message"].startswith("cut "):
-            return f"Cut{record['position'].split()[1].rstrip(',')}"
-        return super().property_of(record)
+        if finding.position.startswith("segment ") and finding.message.startswith("cut "):
+            return f"Cut{finding.position.split()[1].rstrip(',')}"
+        return super().property_of(finding)
 
     def _list(self, segment: int) -> None:
         self.segments.blockSignals(True)
@@ -160,7 +161,7 @@ class MemberPanel(TaskPanel):
 
     def _align(self, value: str) -> None:
         setattr(self.member, f"Align{self.segment}", value)
-        self.changed()
+        self.moved()
 
     def _slide(self, step: int) -> None:
         self.cut_at(step / STEPS * self.member.Axis.Length.Value)
@@ -177,7 +178,7 @@ class MemberPanel(TaskPanel):
         self.slider.blockSignals(True)
         self.slider.setValue(round(STEPS * place / length) if length else 1)
         self.slider.blockSignals(False)
-        self.changed()
+        self.moved()
 
     def _add(self) -> None:
         """Divide the segment shown in its middle."""
@@ -186,7 +187,7 @@ class MemberPanel(TaskPanel):
         try:
             new = add_cut(self.member, middle_of(self.member, self.segment))
         except BendTorsionError as problem:
-            self.findings.setText(str(problem))
+            self.findings.setText(finding_words.lines(problem))
             return
         self._list(new)
         self.changed()
@@ -212,7 +213,7 @@ class MemberPanel(TaskPanel):
         try:
             place = place_on(self.member, point)
         except BendTorsionError as problem:
-            self.findings.setText(str(problem))
+            self.findings.setText(finding_words.lines(problem))
             return
         self.cut_at(place)
 

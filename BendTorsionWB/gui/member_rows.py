@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -11,6 +10,7 @@ from dataclasses import dataclass
 import FreeCAD
 
 from BendTorsionWB.core.members.segment import ALIGN_TO, ALIGNMENTS, TRANSITIONS
+from BendTorsionWB.gui import finding_words
 from BendTorsionWB.gui.joint_words import joints_text, parse_joints
 
 translate = FreeCAD.Qt.translate
@@ -147,14 +147,13 @@ def faults(rows) -> dict[tuple[int, int], str]:
     """The cells that errors of the members name, by segment and column, with the reason."""
     found = {}
     for r, row in enumerate(rows):
-        for record in map(json.loads, row.member.Findings):
-            words = f"{record['position']} {record['message']}".replace(",", " ").split()
-            if record["severity"] != "error" or words[:2] != ["segment", str(row.segment)]:
+        for finding in map(finding_words.of_text, row.member.Findings):
+            words = f"{finding.position} {finding.message}".replace(",", " ").split()
+            if finding.severity != "error" or words[:2] != ["segment", str(row.segment)]:
                 continue
             column = next((word for word in words[2:] if word in COLUMNS[2:]), "")
             if column:
-                reason = f"{record['message']}. {record['mend']}"
-                found.setdefault((r, COLUMNS.index(column)), reason)
+                found.setdefault((r, COLUMNS.index(column)), finding_words.reason(finding))
     return found
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import FreeCAD
 
-from BendTorsionWB.gui import macro, member_rows
+from BendTorsionWB.gui import finding_words, macro, member_rows
 from BendTorsionWB.gui.command import errors_shown
 from BendTorsionWB.gui.dock import DocumentDock, shown
 from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
@@ -17,6 +17,8 @@ NAME = "BendTorsion_MemberTable"
 ADD = QT_TRANSLATE_NOOP("BendTorsion", "Divide the segment")
 REMOVE = QT_TRANSLATE_NOOP("BendTorsion", "Remove the segment")
 MOST_TOLD = 6
+LEAST_WIDTH = 64
+"""Pixels of a column without texts yet, to be typed into."""
 
 
 def show(document) -> MemberTable:
@@ -34,6 +36,8 @@ class MemberTable(DocumentDock):
         self.table.left_out.connect(self._tell_left_out)
         self.table.judge = self._reason
         self.table.choices = self._choices
+        self.table.horizontalHeader().setStretchLastSection(False)
+        self.table.horizontalHeader().setMinimumSectionSize(LEAST_WIDTH)
         self.table.setContextMenuPolicy(QtCore.Qt.ActionsContextMenu)
         bar = QtWidgets.QHBoxLayout()
         for text, keys, run in ((ADD, "Ins", self.add_segment), (REMOVE, "Ctrl+Del", self.remove)):
@@ -57,6 +61,9 @@ class MemberTable(DocumentDock):
         lines.addWidget(self.table)
         lines.addLayout(bar)
         self.rows: list[member_rows.Row] = []
+        # By member, segment and column: what was typed and cannot be, and why.
+        self.refused: dict[tuple[str, int, str], tuple[str, str]] = {}
+        self.table.keys.append((QtGui.QKeySequence("Esc"), self.forget))
         self.sized = False
         super().__init__(NAME, translate("BendTorsion", "Member table"), whole)
 
@@ -86,8 +93,14 @@ class MemberTable(DocumentDock):
             macro.recompute()
         self.refresh()
 
+    def forget(self) -> None:
+        """Drop what was typed and cannot be; the cells show what is."""
+        self.refused.clear()
+        self.refresh()
+
     def refresh(self) -> None:
-        """Show all members; the name of one in error is marked with the error."""
+        """Show all members; the name of one in error is marked with the error. What was typed and
+        cannot be stays in its cell until it is mended, or dropped by Esc."""
         columns = member_rows.COLUMNS
         self.said.setText("")
         self.rows = member_rows.rows_of(self.document)
@@ -102,9 +115,14 @@ class MemberTable(DocumentDock):
         )
         for r, row in enumerate(self.rows):
             for obj in filter(None, (row.member, row.plates)):
-                if obj.Status not in ("", "ok"):
-                    self.table.flag(r, 0, obj.Status)
+                if error := finding_words.first_error(obj):
+                    self.table.flag(r, 0, error)
         for (r, c), reason in member_rows.faults(self.rows).items():
+            self.table.flag(r, c, reason)
+        for (r, c), (text, reason) in self._refused_cells().items():
+            self.table.blockSignals(True)
+            self.table.item(r, c).setText(text)
+            self.table.blockSignals(False)
             self.table.flag(r, c, reason)
         if not self.sized and self.rows:
             self.table.resizeColumnsToContents()
@@ -114,6 +132,21 @@ class MemberTable(DocumentDock):
             wanted = self.table.sizeHintForColumn(c)
             if self.table.columnWidth(c) < wanted:
                 self.table.setColumnWidth(c, wanted)
+
+    def _key(self, row: int, column: int) -> tuple[str, int, str]:
+        own = self.rows[row]
+        return own.member.Name, own.segment, member_rows.COLUMNS[column]
+
+    def _refused_cells(self) -> dict[tuple[int, int], tuple[str, str]]:
+        """What is refused, by row and column; what is of another document is dropped."""
+        cells = {
+            (r, c): self.refused[self._key(r, c)]
+            for r in range(len(self.rows))
+            for c in range(len(member_rows.COLUMNS))
+            if self._key(r, c) in self.refused and (r, c) not in self.table.locked
+        }
+        self.refused = {self._key(*at): told for at, told in cells.items()}
+        return cells
 
     def _tell_left_out(self, cells) -> None:
         """Which texts were not taken and why: beside the table, and at their cells."""
@@ -152,15 +185,14 @@ class MemberTable(DocumentDock):
     def _edit(self, cells) -> None:
         """Write what can be read, in one undo step; mark what cannot, with the reason."""
         edits, reasons = member_rows.edits_of(self.rows, cells)
+        for at in cells:
+            self.refused.pop(self._key(*at), None)
+            if at in reasons:
+                self.refused[self._key(*at)] = cells[at], reasons[at]
         if edits:
             with macro.undo_step(self.document, translate("BendTorsion", "Member table")):
                 for obj, name, value in edits:
                     macro.put(obj, name, value)
                 macro.recompute()
         self.refresh()
-        for (r, c), reason in reasons.items():
-            self.table.blockSignals(True)
-            self.table.item(r, c).setText(cells[r, c])
-            self.table.blockSignals(False)
-            self.table.flag(r, c, reason)
         self.timer.stop()

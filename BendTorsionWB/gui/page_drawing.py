@@ -11,6 +11,7 @@ import FreeCAD
 import FreeCADGui
 
 from BendTorsionWB.gui.qt import QtCore
+from BendTorsionWB.sheets.qt import settle_threads
 
 _followed: list = []
 """The observers, once the first page waits."""
@@ -31,6 +32,7 @@ def draw(page) -> None:
     """Draw a page of ours that waits, and keep it up to date from now on."""
     if not page.KeepUpdated and is_ours(page):
         page.KeepUpdated = True
+        settle_threads()
         _opened.setdefault(page.Document.Uid, set()).add(page.Name)
 
 

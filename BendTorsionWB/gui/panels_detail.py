@@ -147,10 +147,12 @@ class NodePanel(TaskPanel):
         super().show_findings()
         names = {name for name, _ in NODE_ROWS}
         self.fields.show_rows(names - (set() if self.node.Type == "stub" else {"StubLength"}))
+        # Of members that do not meet there is neither angle nor distance.
+        self.figures.setVisible(bool(self.node.Kind))
         text = translate("BendTorsion", "{kind}, angle {angle:.1f}°, axes {off:.2f} mm apart")
         self.figures.setText(
             text.format(
-                kind=translate("BendTorsion", self.node.Kind) or "-",
+                kind=translate("BendTorsion", self.node.Kind),
                 angle=self.node.CrossingAngle.Value,
                 off=self.node.AxisDistance.Value,
             )

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import FreeCAD
 
+from BendTorsionWB.core.finding import Finding
 from BendTorsionWB.core.geometry import surface as core_surface
 from BendTorsionWB.gui.alignment_picker import AlignmentPicker
 from BendTorsionWB.gui.preview import Preview
@@ -88,15 +89,15 @@ class SectionPanel(TaskPanel):
             f"A = {section.Area.Value / 100.0:.1f} cm²   {section.MassPerMetre:.1f} kg/m"
         )
 
-    def property_of(self, record: dict) -> str:
+    def property_of(self, finding: Finding) -> str:
         """A finding about a section begins with the size it is about, as the schedule names it."""
         from BendTorsionWB.objects.section_spec import PROPERTY_OF_SIZE
 
-        name = PROPERTY_OF_SIZE.get(record["message"].split()[0], "")
+        name = PROPERTY_OF_SIZE.get(finding.message.split()[0], "")
         section = self.preview.objects[0]
         if name.startswith("Thickness") and not getattr(section, name).Value:
             return "Thickness"
-        return name or super().property_of(record)
+        return name or super().property_of(finding)
 
     def _show_rows(self) -> None:
         hidden = HIDDEN.get(self.preview.objects[0].Type, NO_BOTTOM)
@@ -175,6 +176,7 @@ class AlignmentPanel(TaskPanel):
         from BendTorsionWB.gui.face_pick import FacePick
 
         super().show()
+        self.picker.setFocus()
         self.clicks = FacePick(self.preview.objects, self.picker.choose)
 
     def stop(self) -> None:

@@ -9,6 +9,7 @@ from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.joints.stock import stock_of
 from BendTorsionWB.core.part_tables import PART_COLUMNS, READERS
 from BendTorsionWB.core.sections.section import BOX_FACES
+from BendTorsionWB.gui import finding_words
 from BendTorsionWB.gui.joint_words import joints_text, set_joints
 from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.property_form import PropertyForm
@@ -36,7 +37,8 @@ class PlatesPanel(TaskPanel):
         self.stock = QtWidgets.QLineEdit(self.plates.Stock)
         self.stock.setObjectName("stock")
         self.stock.setPlaceholderText("12000x2500; 16 10000x2000; 30 S460 8000x2200")
-        self.stock.setToolTip(self.plates.getDocumentationOfProperty("Stock"))
+        tip = self.plates.getDocumentationOfProperty("Stock")
+        self.stock.setToolTip(translate("App::Property", tip))
         self.stock.textEdited.connect(self._stock)
         stock.addRow(translate("BendTorsion", "Stock"), self.stock)
         self.body.addLayout(stock)
@@ -105,7 +107,7 @@ class PartsPanel(TaskPanel):
         self.rows.setObjectName("rows")
         self.rows.setMinimumHeight(160)
         for c, tip in enumerate(plate_parts.column_tips(table)):
-            self.rows.horizontalHeaderItem(c).setToolTip(tip)
+            self.rows.horizontalHeaderItem(c).setToolTip(translate("App::Property", tip))
         self.rows.show_rows(
             [_text(row.get(column, "")) for column in self.columns]
             for row in plate_parts.rows_of(self.plates, table)
@@ -124,6 +126,12 @@ class PartsPanel(TaskPanel):
         hint.setObjectName("hint")
         hint.setWordWrap(True)
         self.body.addWidget(hint)
+
+    def show(self) -> None:
+        """Open it; typing starts in the first cell."""
+        super().show()
+        self.rows.setCurrentCell(0, 0)
+        self.rows.setFocus()
 
     def _choices(self, row: int, column: int) -> list[str]:
         """The faces, where one is asked for."""
@@ -173,8 +181,7 @@ def faces_of(plates) -> list[str]:
 def _told(problem: Exception) -> str:
     """What is wrong with a row, and its mend."""
     if isinstance(problem, BendTorsionError):
-        finding = problem.findings[0]
-        return f"{finding.message}. {finding.mend}"
+        return finding_words.reason(problem.findings[0])
     return translate("BendTorsion", "a number is missing or cannot be read")
 
 

@@ -8,10 +8,11 @@ import FreeCADGui
 
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.patterns.layer_names import layer_names
-from BendTorsionWB.gui import ask
+from BendTorsionWB.gui import ask, finding_words
 from BendTorsionWB.gui.preferences import LAYERS, OTHERS, SECTIONS, SHEETS
-from BendTorsionWB.gui.property_form import FLAWED, quantity_field
+from BendTorsionWB.gui.property_form import FLAWED
 from BendTorsionWB.gui.qt import QtWidgets
+from BendTorsionWB.gui.quantity_field import QuantityField
 
 translate = FreeCAD.Qt.translate
 LEAST = 0.0001
@@ -39,9 +40,11 @@ class _Page:
                 for choice in item.choices:
                     field.addItem(translate("BendTorsion", choice), choice)
             elif isinstance(item.default, float) and item.unit:
-                field = quantity_field(item.default, item.unit, LEAST)
+                field = QuantityField(item.default, item.unit, LEAST)
                 if item.default < 1.0:
                     field.setProperty("decimals", 4)
+                line = field.findChild(QtWidgets.QLineEdit)
+                line.textChanged.connect(lambda _, field=field: _mark(field))
             elif isinstance(item.default, float):
                 field = QtWidgets.QDoubleSpinBox()
                 field.setRange(0.0, 1000.0)
@@ -83,6 +86,13 @@ class _Page:
                 item.keep(float(field.property("rawValue")))
             else:
                 item.keep(field.text().strip() or item.default)
+
+
+def _mark(field) -> None:
+    """Mark a field that holds what cannot be read; its former value is kept then."""
+    reason = field.fault()
+    field.setStyleSheet(FLAWED if reason else "")
+    field.setToolTip(reason)
 
 
 class PreferencesPage(_Page):
@@ -148,7 +158,7 @@ class OutputPage(_Page):
         try:
             layer_names((line for line in lines if not line.endswith("=")), "")
         except BendTorsionError as problem:
-            faults = {f.value: f"{f.message}: {f.mend}" for f in problem.findings}
+            faults = {f.value: finding_words.reason(f) for f in problem.findings}
         for (_, field), line in zip(self._layers(), lines, strict=True):
             reason = faults.get(line) or faults.get(line.split("=", 1)[1].lower(), "")
             field.setStyleSheet(FLAWED if reason else "")

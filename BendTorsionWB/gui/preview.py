@@ -8,14 +8,18 @@ recorded is what was done; what the trial computed is kept by `core.memo`.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 
-from BendTorsionWB.gui import macro, tree
+import FreeCADGui
+
+from BendTorsionWB.gui import finding_words, macro, tree
+from BendTorsionWB.gui.recomputing import recompute
 
 
 class Preview:
     """objects: what is edited. create: makes them when they are new, or changes `objects` by more
     than values: called with a function that makes an object, as `make("make_section", document,
-    "Section")`; returns what is edited from then on."""
+    "Section")`; returns what is edited from then on. `errors`: those before it."""
 
     def __init__(self, document, name: str, objects: Sequence = (), create: Callable | None = None):
         # Here, not above: the workbench opens without loading Part.
@@ -26,16 +30,21 @@ class Preview:
         refuse_bare(objects)
         self.former = [(obj, _inputs(obj), _bound(obj)) for obj in objects]
         there = {obj.Name for obj in document.Objects}
+        self.touched = {obj.Name for obj in document.Objects if "Touched" in obj.State}
+        self.modified = FreeCADGui.getDocument(document.Name).Modified
+        self.errors = finding_words.errors_of(document.Objects)
         document.openTransaction(name)
         try:
             if create:
                 self.objects = list(create(_make_unrecorded))
                 self.made = {obj.Name for obj in document.Objects} - there
                 tree.TRIED.update(obj.Name for obj in self.objects)
-            document.recompute()
+            recompute(document)
         except BaseException:
             self.cancel()
             raise
+        if not create:
+            self.errors = finding_words.errors_of(document.Objects)
         self.before = [_inputs(obj) for obj in self.objects]
         self.bound_before = [_bound(obj) for obj in self.objects]
 
@@ -67,10 +76,17 @@ class Preview:
             macro.recompute()
 
     def cancel(self) -> None:
-        """Take everything back."""
+        """Take everything back; what was computed and saved before the trial is so after it."""
         tree.TRIED.clear()
         self.document.abortTransaction()
         self._put_back()
+        # Values the abort brings back, results among them, would ask to be computed again.
+        for obj in self.document.Objects:
+            if obj.Name not in self.touched and "Touched" in obj.State:
+                obj.purgeTouched()
+        # FreeCAD 0.20 tells the mark of a changed document to scripts and lets none take it back.
+        with suppress(AttributeError):
+            FreeCADGui.getDocument(self.document.Name).Modified = self.modified
 
     def leave(self) -> None:
         """End it for an object that was deleted: the deletion stands, what was new goes."""
@@ -99,7 +115,7 @@ class Preview:
                     setattr(obj, name, value)
                     changed = True
         if changed:
-            self.document.recompute()
+            recompute(self.document)
 
 
 def _make_unrecorded(function: str, *arguments, **named):

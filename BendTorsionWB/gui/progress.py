@@ -47,7 +47,7 @@ def progress(title: str, patience: float = 0.0):
             if time.monotonic() - started < patience:
                 return
             dialog.show()
-        dialog.setLabelText(f"{title}: {what}")
+        dialog.setLabelText(f"{title}: {what}" if what else title)
         dialog.setMaximum(max(count, 1))
         dialog.setValue(done)
         QtWidgets.QApplication.processEvents()
@@ -75,7 +75,8 @@ class _Stay(QtCore.QObject):
 
     def eventFilter(self, window, event):
         """Called by Qt before the window has the event."""
-        if event.type() != QtCore.QEvent.Close:
+        # PySide knows events by their address, and gives what lived there before.
+        if not isinstance(event, QtCore.QEvent) or event.type() != QtCore.QEvent.Close:
             return False
         event.ignore()
         return True

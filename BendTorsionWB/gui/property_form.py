@@ -7,10 +7,11 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 import FreeCAD
-import FreeCADGui
 
 from BendTorsionWB.gui.link_picker import LinkPicker
 from BendTorsionWB.gui.qt import QtWidgets
+from BendTorsionWB.gui.quantity_field import LARGEST, QuantityField
+from BendTorsionWB.gui.words import choice_text
 
 translate = FreeCAD.Qt.translate
 UNITS = {
@@ -20,7 +21,6 @@ UNITS = {
     "App::PropertyPressure": "MPa",
 }
 FLAWED = "border: 1px solid #c62828;"
-LARGEST = 1e9
 
 
 class PropertyForm(QtWidgets.QWidget):
@@ -91,7 +91,7 @@ class PropertyForm(QtWidgets.QWidget):
         self.judged()
 
     def _tip(self, name: str) -> str:
-        tip = self.objects[0].getDocumentationOfProperty(name)
+        tip = translate("App::Property", self.objects[0].getDocumentationOfProperty(name))
         bound = _expression(self.objects[0], name)
         return f"{tip}\n= {bound}" if bound else tip
 
@@ -125,7 +125,7 @@ class PropertyForm(QtWidgets.QWidget):
         if self.ended:
             return
         if not text.startswith("="):
-            self.judge(name, text_fault(self.fields[name], text, unit))
+            self.judge(name, self.fields[name].fault())
             return
         given = text[1:].strip()
         try:
@@ -167,65 +167,10 @@ class PropertyForm(QtWidgets.QWidget):
         self.changed()
 
 
-def quantity_field(value: float, unit: str, least: float = -LARGEST):
-    """A field for a quantity in `unit` that reads other units and formulas too."""
-    field = _new_quantity_field()
-    field.setProperty("unit", unit)
-    field.setProperty("minimum", least)
-    field.setProperty("maximum", LARGEST)
-    field.setProperty("rawValue", value)
-    return field
-
-
 def words_of(problem: Exception) -> str:
     """What an exception of FreeCAD says; some carry a record instead of a text."""
     given = problem.args[0] if problem.args else ""
     return str(given.get("sErrMsg", given)) if isinstance(given, dict) else str(given)
-
-
-def text_fault(field, text: str, unit: str) -> str:
-    """Why the text of a quantity field is no value in its bounds; empty when it is."""
-    if field.hasAcceptableInput():
-        return ""
-    if not text.strip():
-        return translate("BendTorsion", "a value is missing")
-    wanted = FreeCAD.Units.Quantity(f"1 {unit}").Unit
-    try:
-        quantity = FreeCAD.Units.Quantity(text.replace(",", "."))
-    except (ValueError, ArithmeticError):
-        return translate("BendTorsion", "{text} cannot be read").format(text=text)
-    if quantity.Unit not in (wanted, FreeCAD.Units.Unit()):
-        return translate("BendTorsion", "{text} has another unit than {unit}").format(
-            text=text, unit=unit
-        )
-    number = quantity.Value
-    if quantity.Unit == wanted:
-        number = float(quantity.getValueAs(unit).Value)
-    least, most = field.property("minimum"), field.property("maximum")
-    if not least <= number <= most:
-        words = translate("BendTorsion", "{text} is not between {least:g} and {most:g} {unit}")
-        return words.format(text=text, least=least, most=most, unit=unit)
-    return ""
-
-
-def _new_quantity_field():
-    # PySide knows widgets that FreeCAD's loader made by their address even when Qt has deleted
-    # them, and gives the dead one (PySide6: its signals) for a new one at its place; the next is
-    # made at another, while the refused ones live.
-    refused = []
-    while True:
-        field = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
-        try:
-            field.objectName()
-            field.valueChanged.connect(_nothing)
-        except RuntimeError:
-            refused.append(field)
-            continue
-        return field
-
-
-def _nothing(*_) -> None:
-    """Takes a signal, to see that it has a source."""
 
 
 def _expression(obj, name: str) -> str:
@@ -238,7 +183,7 @@ def _field(obj, name: str, edited, kind):
     if type_ in UNITS:
         least = 0.0 if type_ == "App::PropertyLength" else -LARGEST
         unit = UNITS[type_]
-        field = quantity_field(_in_unit(value, unit), unit, least)
+        field = QuantityField(_in_unit(value, unit), unit, least)
         field.valueChanged.connect(
             lambda _=None: edited(f"{float(field.property('rawValue'))!r} {unit}")
         )
@@ -246,7 +191,7 @@ def _field(obj, name: str, edited, kind):
     if type_ == "App::PropertyEnumeration":
         field = QtWidgets.QComboBox()
         for choice in obj.getEnumerationsOfProperty(name):
-            field.addItem(translate("BendTorsion", choice), choice)
+            field.addItem(choice_text(obj.BT_Type, name, choice), choice)
         field.setCurrentIndex(field.findData(value))
         field.currentIndexChanged.connect(lambda _: edited(field.currentData()))
         return field

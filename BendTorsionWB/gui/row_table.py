@@ -98,6 +98,9 @@ class RowTable(QtWidgets.QTableWidget):
     def event(self, event):
         """Keep the keys of the table from FreeCAD's shortcuts, and what is typed over a cell: its
         first letters would be a command, as B, O."""
+        if not isinstance(event, QtCore.QEvent):
+            # PySide knows events by their address, and gives what lived there before.
+            return False
         if event.type() == QtCore.QEvent.ShortcutOverride and (
             self._meant(event) is not None or typed(event)
         ):
@@ -225,6 +228,9 @@ class _Cell(QtWidgets.QStyledItemDelegate):
             completer = QtWidgets.QCompleter(choices, editor)
             completer.setCompletionMode(QtWidgets.QCompleter.UnfilteredPopupCompletion)
             completer.setCaseSensitivity(QtCore.Qt.CaseInsensitive)
+            popup = completer.popup()
+            widest = max(map(popup.fontMetrics().horizontalAdvance, choices))
+            popup.setMinimumWidth(widest + 3 * popup.fontMetrics().height())
             editor.setCompleter(completer)
             # While its list is open, Enter passes by Qt's own way to end the editing.
             editor.returnPressed.connect(lambda: self._leave(editor))
@@ -241,7 +247,8 @@ class _Cell(QtWidgets.QStyledItemDelegate):
         editor.setStyleSheet(f"background: {BAD}; color: white;" if reason else "")
         editor.setToolTip(reason)
         if reason and editor.isVisible():
-            place = editor.mapToGlobal(QtCore.QPoint(0, editor.height()))
+            # Above the cell: below it is the list of what can be.
+            place = editor.mapToGlobal(QtCore.QPoint(0, -3 * editor.height()))
             QtWidgets.QToolTip.showText(place, reason, editor)
         else:
             QtWidgets.QToolTip.hideText()

@@ -9,16 +9,16 @@ import FreeCAD
 
 from BendTorsionWB.gui.alignment_picker import AlignmentPicker
 from BendTorsionWB.gui.preferences import preferred
-from BendTorsionWB.gui.property_form import quantity_field
+from BendTorsionWB.gui.property_form import FLAWED
 from BendTorsionWB.gui.qt import QtCore, QtWidgets
+from BendTorsionWB.gui.quantity_field import QuantityField
+from BendTorsionWB.gui.words import choice_text
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
-TYPES = (
-    ("box1", QT_TRANSLATE_NOOP("BendTorsion", "Webs full height")),
-    ("box2", QT_TRANSLATE_NOOP("BendTorsion", "Flanges full breadth")),
-)
+TYPES = ("box1", "box2")
+"""Of the types of section, those this dialog asks all sizes of."""
 DIMENSIONS = (
     ("h", QT_TRANSLATE_NOOP("BendTorsion", "Height h"), "Height"),
     ("b", QT_TRANSLATE_NOOP("BendTorsion", "Breadth b"), "Breadth"),
@@ -47,15 +47,21 @@ class SectionDialog(QtWidgets.QDialog):
         self.setWindowTitle(translate("BendTorsion", "Members from selection"))
         self.count = count
         self.type = QtWidgets.QComboBox()
-        for name, meaning in TYPES:
-            self.type.addItem(f"{name}: {translate('BendTorsion', meaning)}", name)
+        for name in TYPES:
+            self.type.addItem(choice_text("SectionSpec", "Type", name), name)
         form = QtWidgets.QFormLayout()
         form.addRow(translate("BendTorsion", "Type"), self.type)
+        # Here, not above: the workbench opens without loading Part.
+        from BendTorsionWB.objects.section_spec import SectionSpec
+
+        tips = {item.name: item.tooltip for item in SectionSpec.PROPERTIES}
+        self.tips = {name: translate("App::Property", tips[own]) for name, _, own in DIMENSIONS}
         self.fields = {}
         self.type.setCurrentIndex(self.type.findData(preferred("SectionType")))
         for name, label, preference in DIMENSIONS:
-            field = quantity_field(preferred(preference), "mm", LEAST)
-            field.valueChanged.connect(self._judge)
+            field = QuantityField(preferred(preference), "mm", LEAST)
+            field.findChild(QtWidgets.QLineEdit).textChanged.connect(self._judge)
+            field.setObjectName(name)
             form.addRow(translate("BendTorsion", label), field)
             self.fields[name] = field
         self.align = AlignmentPicker()
@@ -71,9 +77,16 @@ class SectionDialog(QtWidgets.QDialog):
             QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel,
             QtCore.Qt.Horizontal,
         )
+        # Qt's own translations are not on every machine.
+        ok, cancel = QtWidgets.QDialogButtonBox.Ok, QtWidgets.QDialogButtonBox.Cancel
+        self.buttons.button(ok).setText(translate("BendTorsion", "OK"))
+        self.buttons.button(cancel).setText(translate("BendTorsion", "Cancel"))
         self.buttons.accepted.connect(self.accept)
         self.buttons.rejected.connect(self.reject)
         layout = QtWidgets.QVBoxLayout(self)
+        # Room for a second line from the start: the dialog does not grow when a text wraps.
+        self.words.setMinimumHeight(2 * self.words.fontMetrics().lineSpacing())
+        form.setVerticalSpacing(10)
         layout.addLayout(form)
         layout.addWidget(self.words)
         layout.addWidget(self.buttons)
@@ -93,7 +106,17 @@ class SectionDialog(QtWidgets.QDialog):
     def _judge(self, _=None) -> None:
         """Say what will be made, or what is wrong, and allow OK accordingly."""
         given = self.choice()
-        if 2.0 * given.t >= min(given.h, given.b):
+        faults = {}
+        for name, label, _ in DIMENSIONS:
+            field = self.fields[name]
+            reason = field.fault()
+            field.setStyleSheet(FLAWED if reason else "")
+            field.setToolTip(reason or self.tips[name])
+            if reason:
+                faults[name] = f"{translate('BendTorsion', label)}: {reason}"
+        if faults:
+            text, color = "\n".join(faults.values()), "color: #c62828;"
+        elif 2.0 * given.t >= min(given.h, given.b):
             text = translate("BendTorsion", "The plates do not fit: 2 t must be less than h and b")
             color = "color: #c62828;"
         else:

@@ -93,6 +93,27 @@ def surface_and_curves(given: Picked):
     return surfaces[0], given.curves
 
 
+def surface_of(face: tuple):
+    """The Surface that stands for picked faces, (object, names), at no offset; None for none.
+
+    One whose outward side was turned counts: it is turned for the face, not for a member.
+    """
+    wanted = _face_names(*face)
+    for obj in face[0].Document.Objects:
+        if getattr(obj, "BT_Type", "") != "Surface" or obj.Kind != "face" or obj.Source is None:
+            continue
+        source, names = obj.Source
+        if source == face[0] and not obj.Offset.Value and _face_names(source, names) == wanted:
+            return obj
+    return None
+
+
+def _face_names(obj, names) -> set[str]:
+    """The names of some faces of an object; of all when none is named."""
+    found = {name for name in ([names] if isinstance(names, str) else names) if name}
+    return found or {f"Face{k}" for k in range(1, len(obj.Shape.Faces) + 1)}
+
+
 def of_member(given: Picked, kind: str, mend: str) -> list:
     """The Members, PlateSets or Unfolds the selection stands for; a plate stands for its member
     and a member for its plates. Raises BendTorsionError (`selection`) when there is none."""

@@ -11,8 +11,9 @@ from BendTorsionWB.core.patterns.face_strip import face_strip
 from BendTorsionWB.gui.joint_words import set_joints
 from BendTorsionWB.gui.plates_panel import faces_of
 from BendTorsionWB.gui.preview import Preview
-from BendTorsionWB.gui.property_form import PropertyForm, quantity_field
+from BendTorsionWB.gui.property_form import PropertyForm
 from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
+from BendTorsionWB.gui.quantity_field import QuantityField
 from BendTorsionWB.gui.split_scene import (
     BROKEN,
     KEPT,
@@ -66,10 +67,10 @@ class SplitPanel(TaskPanel):
         )
         self.body.addWidget(self.view)
         self.which = QtWidgets.QLabel()
-        self.place = quantity_field(0.0, "mm", 0.0)
+        self.place = QuantityField(0.0, "mm", 0.0)
         self.place.setObjectName("place")
         self.place.setMinimumWidth(170)
-        self.place.valueChanged.connect(self._typed)
+        self.place.findChild(QtWidgets.QLineEdit).textChanged.connect(self._typed)
         line = QtWidgets.QHBoxLayout()
         line.addWidget(self.which, 1)
         line.addWidget(self.place, 1)
@@ -200,6 +201,9 @@ class SplitPanel(TaskPanel):
         if self.focus is None or self.closed:
             return
         face, k = self.focus
+        if fault := self.place.fault():
+            self.refuse(self.place, fault)
+            return
         s = float(self.place.property("rawValue"))
         least, most = self._between(face, k)
         if not least <= s <= most:
@@ -273,7 +277,8 @@ class SplitPanel(TaskPanel):
         name = self.scene.addSimpleText(f"{translate('BendTorsion', face)} {letter}".strip())
         name.setBrush(ink)
         start = row.line(float(row.strip.s[0])).center()
-        name.setPos(-LEFT, start.y() - 8.0)
+        name.setPos(-LEFT, start.y())
+        _in_pixels(name, 0.0)
         for k, plate in enumerate(sorted(plates, key=lambda plate: plate.s_start)):
             item = PlateItem(self, face, row, k, plate.s_start, plate.s_end)
             long = plate.s_end - plate.s_start
@@ -283,8 +288,8 @@ class SplitPanel(TaskPanel):
             text.setBrush(QtGui.QColor("#3a2a00"))
             text.setAcceptedMouseButtons(QtCore.Qt.NoButton)
             at = row.line(0.5 * (plate.s_start + plate.s_end)).center()
-            size = text.boundingRect()
-            text.setPos(at.x() - 0.5 * size.width(), at.y() - 0.5 * size.height())
+            text.setPos(at)
+            _in_pixels(text, 0.5)
             text.setZValue(1.0)
         kept_clear = self.made.given.keep_outs(self.length)
         for places, colour in (
@@ -321,7 +326,7 @@ class SplitPanel(TaskPanel):
         self.place.setEnabled(False)
         every = [(face, k) for face in self.rows for k in range(len(self.joints[face]))]
         broken = sum(not self.keeps_rules(*item) for item in every)
-        text = translate("BendTorsion", "{count} joints, {broken} of them against the rules")
+        text = translate("BendTorsion", "Joints: {count}, against the rules: {broken}")
         colour = BROKEN if broken else KEPT
         text = text.format(count=len(every), broken=broken)
         self.verdict.setText(f'<span style="color:{colour}">&#9679;</span> {text}')
@@ -342,6 +347,9 @@ class _View(QtWidgets.QGraphicsView):
 
     def event(self, event):
         """Keep the keys of the editor from FreeCAD's shortcuts: Del would delete the plates."""
+        if not isinstance(event, QtCore.QEvent):
+            # PySide knows events by their address, and gives what lived there before.
+            return False
         if event.type() == QtCore.QEvent.ShortcutOverride and event.key() in KEYS:
             event.accept()
             return True
@@ -359,6 +367,14 @@ class _View(QtWidgets.QGraphicsView):
         """Fit it again."""
         super().resizeEvent(event)
         self.show_all()
+
+
+def _in_pixels(text, part: float) -> None:
+    """Keep a text as large as others of the window, however small the drawing is; its middle, or
+    the part of its width that is given, stands at its place."""
+    text.setFlag(QtWidgets.QGraphicsItem.ItemIgnoresTransformations)
+    size = text.boundingRect()
+    text.setTransform(QtGui.QTransform.fromTranslate(-part * size.width(), -0.5 * size.height()))
 
 
 def _margin_line(margin: Margin) -> str:

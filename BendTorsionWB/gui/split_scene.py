@@ -7,7 +7,7 @@ import numpy as np
 
 from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
 
-WIDTH, GAP, LANE_GAP, LEFT, LEAST_HEIGHT = 700.0, 26.0, 6.0, 60.0, 26.0
+WIDTH, GAP, LANE_GAP, LEFT, LEAST_HEIGHT = 700.0, 26.0, 6.0, 100.0, 26.0
 PLATES = ("#e8b84a", "#f3d58c")
 KEPT, BROKEN = "#43a047", "#e53935"
 

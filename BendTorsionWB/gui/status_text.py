@@ -22,13 +22,14 @@ class SelectedFindings:
 def status_text(obj) -> str:
     """One line on an object: its first error, else its first warning, else nothing."""
     # Here, not above: the workbench opens without loading Part.
+    from BendTorsionWB.gui import finding_words
     from BendTorsionWB.objects.proxy import findings_of
 
     found = [f for f in findings_of(obj) if f.severity in ("error", "warning")]
     found.sort(key=lambda finding: finding.severity)
     if not found:
         return ""
-    line = found[0].line()
+    line = finding_words.line(found[0])
     if len(found) > 1:
         more = translate("BendTorsion", "and {count} more").format(count=len(found) - 1)
         line = f"{line} ({more})"

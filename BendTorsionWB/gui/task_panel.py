@@ -3,22 +3,36 @@
 
 from __future__ import annotations
 
-import json
+import time
+from contextlib import suppress
 
 import FreeCAD
 import FreeCADGui
 
-from BendTorsionWB.gui import resources
+from BendTorsionWB.core.finding import Finding
+from BendTorsionWB.gui import finding_words, resources
 from BendTorsionWB.gui.held_commands import HeldCommands
 from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.property_form import FLAWED
 from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
+from BendTorsionWB.gui.recomputing import HeldInput, Stopped, recompute, recompute_each
 
 translate = FreeCAD.Qt.translate
-DELAY = 150
+PROMPT = 150
+"""Milliseconds after what is dragged or clicked until the preview is recomputed."""
+DELAY = 400
 """Milliseconds after the last key press until the preview is recomputed."""
+HEAVY = 1.5
+"""Seconds of a preview that waits until the field is left: nobody types on meanwhile."""
+SECONDS_OF = {"PlateSet": 0.25, "PageSymbol": 0.2}
+"""What the plates of a member, and a page, are taken to last before a preview is measured."""
+UNSHOWN = "border: 1px dashed #b26a00;"
 COLOURS = {"error": "#c62828", "warning": "#b26a00", "note": "#5f7d95"}
+GONE = 200
+"""Milliseconds after which FreeCAD has taken a closed panel down."""
 MOST_SHOWN = 8
+LIGHTER = 170
+"""Per cent of the lightness on a dark ground."""
 MARGIN = 60
 """Width of what FreeCAD draws around a task panel."""
 
@@ -41,7 +55,9 @@ class TaskPanel:
         self.timer = QtCore.QTimer()
         self.timer.setSingleShot(True)
         self.timer.timeout.connect(self.update)
-        self.errors_before: set[str] = set()
+        self.seconds: float | None = None
+        self.unshown: QtWidgets.QWidget | None = None
+        self.following = False
         self.closed = False
         self.held: HeldCommands | None = None
         self.escape = None
@@ -54,15 +70,16 @@ class TaskPanel:
 
         self.body.addWidget(self.findings)
         self.body.addStretch()
-        # What is new has no errors to be excused.
-        self.errors_before = set() if self.preview.create else self._own_errors()
         self.show_findings()
         self.held = HeldCommands(self._gone)
         self.escape = EscapeInView(self.preview.document, self.reject)
         self.observer = _Closing(self)
         FreeCAD.addDocumentObserver(self.observer)
         FreeCADGui.Control.showDialog(self)
+        QtWidgets.QApplication.instance().focusChanged.connect(self._focus_moved)
+        self.following = True
         self._make_room()
+        self._name_buttons()
         self.judge()
         first = next((f for form in self.forms for f in form.fields.values()), None)
         if first is not None:
@@ -109,70 +126,154 @@ class TaskPanel:
 
     def faults(self) -> list[str]:
         """What keeps the panel from OK: fields that hold what cannot be, and errors of what is
-        edited that were not there before."""
+        edited and what follows from it that were not there before: one of two may be mended."""
         own = [reason for form in self.forms for reason in form.told()]
-        return [*own, *self.refused.values(), *sorted(self._own_errors() - self.errors_before)]
+        related = self._related()
+        elsewhere = [obj for obj in related if obj not in self.preview.objects]
+        told = finding_words.further_errors(related, self.preview.errors, elsewhere)
+        return [*own, *self.refused.values(), *told]
 
-    def _own_errors(self) -> set[str]:
-        texts = [text for obj in self.preview.objects for text in getattr(obj, "Findings", ())]
-        records = map(json.loads, texts)
-        return {record["message"] for record in records if record["severity"] == "error"}
+    def _related(self) -> list:
+        """What is edited and all that depends on it."""
+        return [item for obj in self.preview.objects for item in (obj, *obj.InListRecursive)]
 
     def judge(self) -> None:
-        """Allow OK when nothing speaks against it."""
+        """Allow OK when nothing speaks against it; the button says what does."""
+        faults = self.faults()
+        for button in self._buttons(QtWidgets.QDialogButtonBox.Ok):
+            button.setEnabled(not faults)
+            button.setToolTip("\n".join(faults))
+
+    def _buttons(self, kind) -> list:
+        """The buttons of a kind, OK or Cancel, beside the fields."""
         dock = self._dock()
-        for box in dock.findChildren(QtWidgets.QDialogButtonBox) if dock is not None else ():
-            button = box.button(QtWidgets.QDialogButtonBox.Ok)
-            if button is not None:
-                button.setEnabled(not self.faults())
+        boxes = dock.findChildren(QtWidgets.QDialogButtonBox) if dock is not None else ()
+        return [box.button(kind) for box in boxes if box.button(kind) is not None]
+
+    def _name_buttons(self) -> None:
+        """In the language of the window: Qt's own translations are not on every machine."""
+        for button in self._buttons(QtWidgets.QDialogButtonBox.Ok):
+            button.setText(translate("BendTorsion", "OK"))
+        for button in self._buttons(QtWidgets.QDialogButtonBox.Cancel):
+            button.setText(translate("BendTorsion", "Cancel"))
 
     def changed(self) -> None:
-        """Recompute soon; edits that follow at once share one recompute."""
+        """Recompute soon; edits that follow at once share one recompute. What takes long waits
+        until the field that is typed into is left."""
+        if self.closed:
+            return
+        self.timer.stop()
+        field = self._typed_into()
+        if field is not None and self.lasts() > HEAVY:
+            self.unshown = field
+            self.show_findings()
+        else:
+            self.timer.start(DELAY)
+
+    def moved(self) -> None:
+        """Recompute at once: what is dragged or clicked is seen on the way."""
         if not self.closed:
+            self.timer.start(PROMPT)
+
+    def lasts(self) -> float:
+        """Seconds a preview takes: as long as the longest so far, or what so many parts may."""
+        if self.seconds is not None:
+            return self.seconds
+        kinds = {obj.Name: getattr(obj, "BT_Type", "") for obj in self._related()}
+        return sum(SECONDS_OF.get(kind, 0.0) for kind in kinds.values())
+
+    def _typed_into(self):
+        """The field of the panel that has the keyboard, or None."""
+        field = QtWidgets.QApplication.focusWidget()
+        if isinstance(field, QtWidgets.QLineEdit):
+            above = field.parent()
+            field = above if isinstance(above, QtWidgets.QAbstractSpinBox) else field
+        elif not isinstance(field, QtWidgets.QAbstractSpinBox):
+            return None
+        return field if self.form.isAncestorOf(field) else None
+
+    def _focus_moved(self, _, now) -> None:
+        """Show what was typed once its field is left, unless for Cancel."""
+        if self.closed or self.unshown is None or not isinstance(now, QtWidgets.QWidget):
+            return
+        if now in (self.unshown, self.unshown.findChild(QtWidgets.QLineEdit)):
+            return
+        if now not in self._buttons(QtWidgets.QDialogButtonBox.Cancel):
             self.timer.start(DELAY)
 
     def update(self) -> None:
-        """Recompute and show what is found."""
+        """Recompute and show what is found; Esc and Cancel stop it, and the panel."""
         self.timer.stop()
-        self.preview.document.recompute()
+        started = time.process_time()
+        stopped = False
+        if self.lasts() > HEAVY:
+            held = HeldInput(self._show_progress, self._on_cancel)
+            try:
+                recompute_each(self.preview.document, held.report)
+            except Stopped:
+                stopped = True
+            finally:
+                held.release()
+        else:
+            recompute(self.preview.document)
+        if stopped:
+            self.reject()
+            return
+        self.seconds = max(self.seconds or 0.0, time.process_time() - started)
+        self._mark_unshown("")
+        self.unshown = None
         self.show_findings()
+
+    def _mark_unshown(self, style: str) -> None:
+        """Mark the field that is not shown yet, unless it is marked with what is wrong."""
+        # The fields of a segment go with it.
+        with suppress(RuntimeError):
+            if self.unshown is not None and self.unshown.styleSheet() != FLAWED:
+                self.unshown.setStyleSheet(style)
+
+    def _show_progress(self, what: str, done: int, count: int) -> None:
+        words = translate("BendTorsion", "Computing {what}, {done} of {count}; Esc stops")
+        self.findings.setText(words.format(what=what, done=done + 1, count=count))
+
+    def _on_cancel(self, point) -> bool:
+        """Whether a point of the screen is on Cancel."""
+        buttons = self._buttons(QtWidgets.QDialogButtonBox.Cancel)
+        return any(button.rect().contains(button.mapFromGlobal(point)) for button in buttons)
 
     def show_findings(self) -> None:
         """The findings of what is edited and of all that depends on it, errors first."""
         found = {}
-        for obj in self.preview.objects:
-            for item in (obj, *obj.InListRecursive):
-                for text in getattr(item, "Findings", ()):
-                    found[text] = json.loads(text)
-        records = sorted(found.values(), key=lambda record: list(COLOURS).index(record["severity"]))
+        for item in self._related():
+            for text in getattr(item, "Findings", ()):
+                found[text] = finding_words.of_text(text)
+        findings = sorted(found.values(), key=lambda one: list(COLOURS).index(one.severity))
         own = [reason for form in self.forms for reason in form.told()] + [*self.refused.values()]
-        lines = [*map(_fault_line, own), *(_line(record) for record in records[:MOST_SHOWN])]
-        if len(records) > MOST_SHOWN:
+        lines = [*map(_fault_line, own), *map(_line, findings[:MOST_SHOWN])]
+        if len(findings) > MOST_SHOWN:
             more = translate("BendTorsion", "and {count} more").format(
-                count=len(records) - MOST_SHOWN
+                count=len(findings) - MOST_SHOWN
             )
             lines.append(more)
+        if self.unshown is not None:
+            words = translate(
+                "BendTorsion", "Not shown yet: it takes a while; leave the field (Tab)"
+            )
+            lines.insert(len(own), words)
         self.findings.setText("<br>".join(lines))
-        self._flag(records)
+        self._flag(findings)
+        self._mark_unshown(UNSHOWN)
         self.judge()
 
-    def property_of(self, record: dict) -> str:
+    def property_of(self, finding: Finding) -> str:
         """The property a finding is about, when it names one."""
-        return record["position"].removeprefix("property ")
+        return finding.position.removeprefix("property ")
 
-    def _flag(self, records) -> None:
+    def _flag(self, findings) -> None:
         """Mark the fields of properties that findings are about."""
         for form in self.forms:
             labels = {obj.Label for obj in form.objects}
-            own = [
-                record
-                for record in records
-                if record["severity"] == "error" and record["object"] in labels
-            ]
-            reasons = {
-                self.property_of(record): f"{record['message']}. {record['mend']}"
-                for record in reversed(own)
-            }
+            own = [one for one in findings if one.severity == "error" and one.object in labels]
+            reasons = {self.property_of(one): finding_words.reason(one) for one in reversed(own)}
             for name in form.fields:
                 form.flag(name, reasons.get(name, ""))
 
@@ -184,9 +285,9 @@ class TaskPanel:
 
     def accept(self) -> bool:
         """Keep the edits, as one undo step; not while something speaks against it."""
-        if self.timer.isActive():
+        if self.timer.isActive() or self.unshown is not None:
             self.update()
-        if self.faults():
+        if self.closed or self.faults():
             self.show_findings()
             return False
         self._end(self.preview.accept)
@@ -209,9 +310,14 @@ class TaskPanel:
         if dock is not None and self.width_before:
             # As wide as the user has it, once the panel is gone.
             window, width = FreeCADGui.getMainWindow(), self.width_before
-            QtCore.QTimer.singleShot(
-                0, lambda: window.resizeDocks([dock], [width], QtCore.Qt.Horizontal)
-            )
+
+            def narrow():
+                if not FreeCADGui.Control.activeDialog():
+                    window.resizeDocks([dock], [width], QtCore.Qt.Horizontal)
+
+            # Again when the fields are gone, which may be wider than that until then.
+            for pause in (0, GONE):
+                QtCore.QTimer.singleShot(pause, narrow)
 
     def _gone(self) -> None:
         """Cancel what something else has closed; its fields are gone."""
@@ -221,6 +327,9 @@ class TaskPanel:
 
     def stop(self) -> None:
         """Let no field edit anything from now on."""
+        if self.following:
+            QtWidgets.QApplication.instance().focusChanged.disconnect(self._focus_moved)
+            self.following = False
         self.closed = True
         self.timer.stop()
         if self.held is not None:
@@ -259,15 +368,17 @@ class _Closing:
         panel._end(panel.preview.leave)
 
 
+def colour_of(severity: str, widget) -> str:
+    """The colour of a severity, to be read beside the text of a widget: lighter where that is."""
+    colour = QtGui.QColor(COLOURS[severity])
+    light = widget.palette().color(QtGui.QPalette.Text).lightness() > 128
+    return (colour.lighter(LIGHTER) if light else colour).name()
+
+
 def _fault_line(reason: str) -> str:
     return f'<span style="color:{COLOURS["error"]}">&#9679;</span> {reason}'
 
 
-def _line(record: dict) -> str:
-    text = f"{record['object']}: {record['message']}"
-    value, limit = record.get("value"), record.get("limit")
-    if isinstance(value, float) and isinstance(limit, float):
-        text += f" ({value:.5g} / {limit:.5g} {record['unit']})"
-    if record["mend"]:
-        text += f" &rarr; {record['mend']}"
-    return f'<span style="color:{COLOURS[record["severity"]]}">&#9679;</span> {text}'
+def _line(finding: Finding) -> str:
+    colour = COLOURS[finding.severity]
+    return f'<span style="color:{colour}">&#9679;</span> {finding_words.short_line(finding)}'

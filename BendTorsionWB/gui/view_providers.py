@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 import FreeCAD
 import FreeCADGui
 
-from BendTorsionWB.gui import editors, icons, legend, member_display, page_drawing, tree
+from BendTorsionWB.gui import editors, first_view, icons, legend, member_display, page_drawing, tree
 from BendTorsionWB.gui.qt import QtCore, QtGui
 
 translate = FreeCAD.Qt.translate
@@ -100,8 +102,10 @@ class ViewProvider:
             above = getattr(obj, name)
             above.Visibility = above.Visibility
         if name == "Findings":
-            for item in (obj, *tree.parents(obj)):
-                item.ViewObject.signalChangeIcon()
+            # A deletion done again tells of findings of what has no view any more.
+            with suppress(RuntimeError):
+                for item in (obj, *tree.parents(obj)):
+                    item.ViewObject.signalChangeIcon()
 
     def onChanged(self, view, name):
         """Follow what is switched in the view's properties."""
@@ -211,6 +215,8 @@ def attach(obj) -> None:
         page_drawing.wait(obj)
     if isinstance(view.Proxy, ViewProvider):
         return
+    if obj.Document.Restoring:
+        first_view.on_open(obj.Document)
     ViewProvider(view)
     if obj.BT_Type == "PageOutlines":
         page_drawing.plain(obj)
@@ -258,8 +264,10 @@ def _fold(document: str, name: str) -> None:
     found = FreeCAD.listDocuments().get(document)
     obj = found.getObject(name) if found is not None else None
     for item in tree.parents(obj)[:1] if obj is not None else ():
-        # An output: written anew, it asks for no recompute.
+        # An output: written anew, it asks for no recompute, and nothing for saving.
+        item.setPropertyStatus("Findings", "NoModify")
         item.Findings = item.Findings
+        item.setPropertyStatus("Findings", "-NoModify")
 
 
 def paint(obj) -> None:

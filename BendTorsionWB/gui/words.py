@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import FreeCAD
 
+translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 WORDS = (
@@ -75,6 +76,10 @@ WORDS = (
     QT_TRANSLATE_NOOP("BendTorsion", "strain"),
     QT_TRANSLATE_NOOP("BendTorsion", "length error"),
     QT_TRANSLATE_NOOP("BendTorsion", "forming"),
+    QT_TRANSLATE_NOOP("BendTorsion", "flat"),
+    QT_TRANSLATE_NOOP("BendTorsion", "cold"),
+    QT_TRANSLATE_NOOP("BendTorsion", "hot"),
+    QT_TRANSLATE_NOOP("BendTorsion", "auto"),
     QT_TRANSLATE_NOOP("BendTorsion", "thickness"),
     QT_TRANSLATE_NOOP("BendTorsion", "deviation"),
     QT_TRANSLATE_NOOP("BendTorsion", "curvature"),
@@ -121,7 +126,34 @@ WORDS = (
     QT_TRANSLATE_NOOP("BendTorsion", "align_to"),
     QT_TRANSLATE_NOOP("BendTorsion", "offset_y"),
     QT_TRANSLATE_NOOP("BendTorsion", "offset_z"),
+    QT_TRANSLATE_NOOP("BendTorsion", "severity"),
+    QT_TRANSLATE_NOOP("BendTorsion", "object"),
+    QT_TRANSLATE_NOOP("BendTorsion", "position"),
+    QT_TRANSLATE_NOOP("BendTorsion", "message"),
+    QT_TRANSLATE_NOOP("BendTorsion", "value"),
+    QT_TRANSLATE_NOOP("BendTorsion", "limit"),
+    QT_TRANSLATE_NOOP("BendTorsion", "mend"),
 )
+
+SECTION_TYPES = {
+    "box1": QT_TRANSLATE_NOOP("BendTorsion", "Webs full height"),
+    "box2": QT_TRANSLATE_NOOP("BendTorsion", "Flanges full breadth"),
+    "i": QT_TRANSLATE_NOOP("BendTorsion", "I section"),
+    "tee": QT_TRANSLATE_NOOP("BendTorsion", "T section"),
+    "channel": QT_TRANSLATE_NOOP("BendTorsion", "Channel section"),
+    "trapezoid": QT_TRANSLATE_NOOP("BendTorsion", "Box with a narrower or wider bottom"),
+    "polygon": QT_TRANSLATE_NOOP("BendTorsion", "Box with any number of walls"),
+    "strips": QT_TRANSLATE_NOOP("BendTorsion", "Free list of plates"),
+}
+"""What the codes of section types mean."""
+
+
+def choice_text(kind: str, name: str, choice: str) -> str:
+    """A choice of a property of a kind of object as a field shows it; a code with its meaning."""
+    if (kind, name) == ("SectionSpec", "Type"):
+        return f"{choice}: {translate('BendTorsion', SECTION_TYPES[choice])}"
+    return translate("BendTorsion", choice)
+
 
 MENUS = (
     QT_TRANSLATE_NOOP("Workbench", "BendTorsion Model"),

@@ -213,9 +213,20 @@ def value(obj, known: dict[str, detailing.MemberGeometry] | None = None) -> Core
     ]
     errors = [f for f in found.findings if f.severity == "error"]
     if not own or any({through.Label, other.Label} & set(f.objects) for f in errors):
-        raise BendTorsionError(dict.fromkeys(found.findings))
+        raise BendTorsionError(_of_document(f, obj, through) for f in dict.fromkeys(found.findings))
     _, node, branch = min(own, key=lambda item: item[0])
     return replace(node, name=obj.Node or node.name, branches=(branch.at_node(obj.Node),))
+
+
+def _of_document(finding, obj, through):
+    """What is found of two members that do not meet, without what only a schedule has: the row,
+    and a place nobody gave."""
+    if finding.code != "node-not-found":
+        return finding
+    message = finding.message
+    if not obj.Place.Value:
+        message = message.removesuffix(f" near s = 0 mm of {through.Label}")
+    return replace(finding, position="", message=message)
 
 
 def free_place(through, other, there: Sequence) -> float | None:

@@ -27,7 +27,7 @@ def _joints_property(face: str) -> Property:
         "App::PropertyFloatList",
         f"Joints{face.capitalize()}",
         "Plates",
-        f"Joints of the {face} face: cumulative ratios (up to 1) or mm from the start",
+        "Joints of the face: cumulative ratios (up to 1) or mm from the start",
     )
 
 
@@ -36,7 +36,7 @@ def _lanes_property(face: str) -> Property:
         "App::PropertyFloatList",
         f"Lanes{face.capitalize()}",
         "Plates",
-        f"Seams that divide the {face} face along: cumulative ratios (up to 1) or mm of its width",
+        "Seams that divide the face along: cumulative ratios (up to 1) or mm of its width",
     )
 
 

@@ -9,19 +9,32 @@ import FreeCAD
 
 
 @contextmanager
-def preference(group: str, name: str, value: bool):
-    """A yes-or-no preference with this value inside the block, and as it was after it."""
+def preference(group: str, name: str, value: bool | int):
+    """A yes-or-no preference, or one that is a whole number, with this value inside the block, and
+    as it was after it."""
     settings = FreeCAD.ParamGet(f"User parameter:BaseApp/Preferences/{group}")
-    was_set = name in settings.GetBools()
-    before = settings.GetBool(name, False)
-    settings.SetBool(name, value)
+    kind = "Bool" if isinstance(value, bool) else "Int"
+    was_set = name in getattr(settings, f"Get{kind}s")()
+    before = getattr(settings, f"Get{kind}")(name)
+    getattr(settings, f"Set{kind}")(name, value)
     try:
         yield
     finally:
         if was_set:
-            settings.SetBool(name, before)
+            getattr(settings, f"Set{kind}")(name, before)
         else:
-            settings.RemBool(name)
+            getattr(settings, f"Rem{kind}")(name)
+
+
+@contextmanager
+def saved_in_binary():
+    """Documents saved with the shapes in binary form, which any FreeCAD reads: smaller than as text
+    and to the last digit; and not packed, for what packs them again."""
+    with (
+        preference("Document", "SaveBinaryBrep", True),
+        preference("Document", "CompressionLevel", 0),
+    ):
+        yield
 
 
 def without_faces():

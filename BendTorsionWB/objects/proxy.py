@@ -32,6 +32,17 @@ _UNITS = {
     "App::PropertyPressure": FreeCAD.Units.Pressure,
 }
 
+KIND_WORDS = {
+    "Surface": "surface",
+    "Axis": "axis",
+    "SectionSpec": "section",
+    "Member": "member",
+    "PlateSet": "plate set",
+    "Unfold": "development",
+    "AssemblyBed": "assembly bed",
+}
+"""What the kinds of objects that others link to are called, by BT_Type."""
+
 
 @dataclass(frozen=True)
 class Property:
@@ -260,13 +271,14 @@ def linked(obj, name: str, kind: str):
     """The object a link property points to; raises BendTorsionError when it is gone, of another
     kind (a deleted target silently becomes None), or is in error itself."""
     target = getattr(obj, name, None)
+    word = KIND_WORDS[kind]
     if target is None:
         raise BendTorsionError(
             error(
                 "link-missing",
                 obj.Label,
-                f"{name} is not set",
-                f"choose {_a(kind)}",
+                _missing(name),
+                f"choose {_a(word)}",
                 position=f"property {name}",
             )
         )
@@ -275,8 +287,8 @@ def linked(obj, name: str, kind: str):
             error(
                 "link-kind",
                 obj.Label,
-                f"{name} is not a {kind}",
-                f"choose {_a(kind)}",
+                f"{name} links to what is no {word}",
+                f"choose {_a(word)}",
                 position=f"property {name}",
                 value=target.Label,
             )
@@ -285,9 +297,17 @@ def linked(obj, name: str, kind: str):
     return target
 
 
+def _missing(name: str) -> str:
+    """What is said of a link that is empty; members have a section for each segment."""
+    segment = name.removeprefix("Section")
+    if segment.isdigit():
+        return f"the section of segment {segment} is not set"
+    return f"{name} is not set"
+
+
 def _a(kind: str) -> str:
     """A kind of object with its article."""
-    return f"an {kind}" if kind[0] in "AEIOU" else f"a {kind}"
+    return f"an {kind}" if kind[0] in "aeiou" else f"a {kind}"
 
 
 def check_linked(target) -> None:

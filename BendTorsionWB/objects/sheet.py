@@ -37,6 +37,7 @@ from BendTorsionWB.objects.sheet_pages import (
     page_objects,
     surplus,
 )
+from BendTorsionWB.objects.told import PROGRESS
 from BendTorsionWB.sheets.qt import settle_threads
 from BendTorsionWB.sheets.techdraw import (
     configure_outline_view,
@@ -146,6 +147,7 @@ def keep_pages(sheet_set) -> None:
     pages = _whole_pages(sheet_set)
     for index, sheet in enumerate(sheets):
         if index not in pages:
+            PROGRESS.get()(f"{sheet_set.Label} {sheet.number}", index, len(sheets))
             pages[index] = _add_page(sheet_set, index, sheet)
         _adjust_page(pages[index], f"{sheet_set.Label} {sheet.number}", sheet)
     if surplus(sheet_set.Document):

@@ -54,8 +54,10 @@ def boundary_of(solid: Part.Solid, name: str) -> Boundary:
     for shape in solid.Shells[0].Faces:
         # Wires of a reversed face come reversed edge by edge, but not in their order.
         natural = shape if shape.Orientation == "Forward" else shape.reversed()
-        outer = natural.OuterWire
-        wires = [outer, *(wire for wire in natural.Wires if not wire.isSame(outer))]
+        wires = natural.Wires
+        if len(wires) > 1:
+            outer = natural.OuterWire
+            wires = [outer, *(wire for wire in wires if not wire.isSame(outer))]
         loops = tuple(
             tuple((edge(e), e.Orientation == "Forward") for e in wire.OrderedEdges)
             for wire in wires

@@ -14,8 +14,7 @@ Faces of a solid come in this order: piece by piece, in each rail by rail (face 
 and j + 1), then the start cap, then the end cap: m * pieces + 2 in all. Edges, vertices and poles
 are shared. Tubes closed along s are not made here.
 
-The text is Open CASCADE's ASCII form ("BRep Format" in its documentation), version 1. Nothing is
-fitted, sewn or paired by the kernel, so that what was computed is what is built.
+Nothing is fitted, sewn or paired by the kernel, so that what was computed is what is built.
 """
 
 from __future__ import annotations
@@ -27,20 +26,13 @@ import numpy as np
 import Part
 
 from BendTorsionWB.core.finding import BendTorsionError, error
-
-TOLERANCE = 1e-7
-"""mm: of vertices, edges and faces as written (the kernel's own confusion distance)."""
+from BendTorsionWB.shapes.brep_text import TOLERANCE, BrepText
 
 PLANE_TOLERANCE = 1e-8
 """mm: corners of an end this near to their mean plane make a plane cap."""
 
-_VERTEX = "Ve\n1e-07\n%s\n0 0\n\n0101101\n*\n"
-_EDGE = "Ed\n 1e-07 1 1 0\n1 %d 0 %s\n%s0\n\n0101000\n+%d 0 -%d 0 *\n"
-_WIRE = "Wi\n\n0101100\n%s*\n"
-_FACE = "Fa\n0 1e-07 %d 0\n\n0101000\n+%d 0 *\n"
 _SHELL = "Sh\n\n0101100\n%s*\n"
 _SOLID = "So\n\n1100000\n+%d 0 *\n"
-_COMPOUND = "Co\n\n1100000\n%s*\n"
 
 _YZX, _ZXY = (1, 2, 0), (2, 0, 1)
 
@@ -63,7 +55,9 @@ def tube_solid(pieces: Sequence[Piece]) -> Part.Solid:
     form, BendTorsionError when rails meet, pieces part, the tube has no volume, or a cap that is
     not a quadrilateral is not plane.
     """
-    return _solids(tube_text(pieces))[0]
+    text = _Text(_shape_count(pieces))
+    text.tube(pieces, "tube")
+    return text.parsed().Solids[0]
 
 
 def tube_solids(
@@ -76,8 +70,8 @@ def tube_solids(
     text = _Text(sum(map(_shape_count, tubes)) + 1)
     both = zip(tubes, cuts or [(None, None)] * len(tubes), strict=True)
     solids = [text.tube(pieces, f"tube {k}", cut) for k, (pieces, cut) in enumerate(both, 1)]
-    text.shape(_COMPOUND % "".join(f"+{solid} 0 " for solid in solids))
-    return _solids(text.whole())
+    text.compound(solids)
+    return text.parsed().Solids
 
 
 def compound(shapes: Iterable[Part.Shape]) -> Part.Compound:
@@ -90,61 +84,14 @@ def empty() -> Part.Compound:
     return Part.Compound([])
 
 
-def _solids(text: str) -> list[Part.Solid]:
-    shape = Part.Shape()
-    shape.importBrepFromString(text, False)
-    return shape.Solids
-
-
 def _shape_count(pieces: Sequence[Piece]) -> int:
     """Vertices, edges, wires, faces, shell and solid of a tube."""
     rails, spans = len(pieces[0][1]), len(pieces)
     return 2 * rails * (spans + 1) + 3 * rails * spans + 6
 
 
-class _Text:
-    """The tables of one B-rep text. Shapes are numbered downwards from their total."""
-
-    def __init__(self, total: int):
-        self.total = total
-        self.pcurves, self.curves, self.surfaces, self.shapes = [], [], [], []
-
-    def whole(self) -> str:
-        return "".join(
-            [
-                "\nCASCADE Topology V1, (c) Matra-Datavision\nLocations 0\n",
-                f"Curve2ds {len(self.pcurves)}\n",
-                *self.pcurves,
-                f"Curves {len(self.curves)}\n",
-                *self.curves,
-                "Polygon3D 0\nPolygonOnTriangulations 0\n",
-                f"Surfaces {len(self.surfaces)}\n",
-                *self.surfaces,
-                f"Triangulations 0\n\nTShapes {self.total}\n",
-                *self.shapes,
-                "\n+1 0 \n",
-            ]
-        )
-
-    def shape(self, text: str) -> int:
-        self.shapes.append(text)
-        return self.total - len(self.shapes) + 1
-
-    def surface(self, text: str) -> int:
-        self.surfaces.append(text)
-        return len(self.surfaces)
-
-    def edge(self, curve: str, limits: str, traces: list, start: int, end: int) -> int:
-        """traces: (pcurve text, surface number) on each face the edge bounds."""
-        self.curves.append(curve)
-        lines = []
-        for pcurve, surface in traces:
-            self.pcurves.append(pcurve)
-            lines.append(f"2 {len(self.pcurves)} {surface} 0 {limits}\n")
-        return self.shape(_EDGE % (len(self.curves), limits, "".join(lines), start, end))
-
-    def face(self, surface: int, wire: str) -> int:
-        return self.shape(_FACE % (surface, self.shape(_WIRE % wire)))
+class _Text(BrepText):
+    """The text of tubes."""
 
     def tube(self, pieces: Sequence[Piece], name: str, cuts: Cuts = (None, None)) -> int:
         """Append one tube; its solid's number. cuts: the rings of ends that are cut."""
@@ -184,7 +131,7 @@ class _Text:
         caps |= {k: (self.surface(own.surface), ()) for k, own in cut.items()}
 
         texts = [[" ".join(map(repr, point)) for point in ring] for ring in rings.tolist()]
-        vertices = [[self.shape(_VERTEX % point) for point in ring] for ring in texts]
+        vertices = [[self.vertex(point) for point in ring] for ring in texts]
         across = []
         for k, ring in enumerate(vertices):
             row = []
@@ -224,7 +171,7 @@ class _Text:
             for k in range(len(pieces))
         ]
         sides = [
-            self.face(
+            self.side(
                 faces[k][j],
                 f"+{along[k][j]} 0 +{across[k + 1][j]} 0 "
                 f"-{along[k][following[j]]} 0 -{across[k][j]} 0 ",
@@ -233,12 +180,16 @@ class _Text:
             for j in range(count)
         ]
         start, end = [
-            self.face(caps[k][0], "".join(f"+{edge} 0 " for edge in across[k]))
+            self.side(caps[k][0], "".join(f"+{edge} 0 " for edge in across[k]))
             for k in sorted(caps)
         ]
         side, other = ("+", "-") if outwards else ("-", "+")
         shell = "".join(f"{side}{face} 0 " for face in (*sides, start)) + f"{other}{end} 0 "
         return self.shape(_SOLID % self.shape(_SHELL % shell))
+
+    def side(self, surface: int, edges: str) -> int:
+        """A face of one wire."""
+        return self.face(surface, f"+{self.wire(edges)} 0 ")
 
     def piece(self, knots, poles, following) -> tuple[list[str], list[int]]:
         """A piece's rail curve texts and surface numbers."""

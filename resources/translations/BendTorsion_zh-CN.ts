@@ -4,16 +4,892 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>A Surface, or a face of any object, for cut by surface</source>
+        <translation>按曲面切割时：一个曲面对象，或任一对象的面</translation>
+    </message>
+    <message>
+        <source>A curve of the surface instead of points</source>
+        <translation>用曲面上的曲线代替点</translation>
+    </message>
+    <message>
+        <source>A picked curve, wire or shape</source>
+        <translation>所选的曲线、线框或形体</translation>
+    </message>
+    <message>
+        <source>A point near the axis, mm</source>
+        <translation>轴线附近的一点，mm</translation>
+    </message>
+    <message>
+        <source>A point of the plane (plane section), mm</source>
+        <translation>平面上的一点（平面截交），mm</translation>
+    </message>
+    <message>
+        <source>A point of the plane, mm</source>
+        <translation>平面上的一点，mm</translation>
+    </message>
+    <message>
+        <source>A pulled axis leaves the surface by no more than this</source>
+        <translation>拉到曲面上的轴线离开曲面不超过此值</translation>
+    </message>
+    <message>
+        <source>About where on the member that runs through; matters where the two meet twice</source>
+        <translation>在贯通构件上的大致位置；两构件相交两次时才需要</translation>
+    </message>
+    <message>
+        <source>Added per butt joint, half to each of its plates, mm</source>
+        <translation>每条对接缝的加量，两侧板各一半，mm</translation>
+    </message>
+    <message>
+        <source>Added per diaphragm within a plate, mm</source>
+        <translation>板件范围内每块隔板的加量，mm</translation>
+    </message>
+    <message>
+        <source>Align to the axis, to the previous segment, or hold the top or bottom face at the offset from the surface itself</source>
+        <translation>对齐到轴线、前一段，或使顶面或底面与曲面本身保持偏移距离</translation>
+    </message>
+    <message>
+        <source>Allowances</source>
+        <translation>加量</translation>
+    </message>
+    <message>
+        <source>Angle between the axes</source>
+        <translation>两轴线的夹角</translation>
+    </message>
+    <message>
+        <source>Angle from y to the axis of the largest second moment</source>
+        <translation>由 y 到最大惯性矩主轴的角度</translation>
+    </message>
+    <message>
+        <source>Area of each pattern with its allowances, as cut, mm2</source>
+        <translation>各展开图含加量的下料面积，mm2</translation>
+    </message>
+    <message>
+        <source>Area of the member seen from outside, ends apart</source>
+        <translation>构件外露面积，不含端面</translation>
+    </message>
+    <message>
+        <source>Area of the plates</source>
+        <translation>板件面积</translation>
+    </message>
+    <message>
+        <source>Area seen from outside, ends apart</source>
+        <translation>外露面积，不含端面</translation>
+    </message>
+    <message>
+        <source>Axes whose crossings with this one are wanted as control points</source>
+        <translation>要求以其与本轴线的交点作为控制点的轴线</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>轴线</translation>
+    </message>
+    <message>
+        <source>Bed</source>
+        <translation>胎架</translation>
+    </message>
+    <message>
+        <source>Breadth of the bottom flange (i) or bottom (trapezoid); 0 for Breadth</source>
+        <translation>下翼缘（i）或底边（梯形）的宽度；0 表示同 Breadth</translation>
+    </message>
+    <message>
+        <source>Breadth over the outer faces; of the top where the bottom has its own</source>
+        <translation>外表面之间的宽度；底边另有宽度时为顶边宽度</translation>
+    </message>
+    <message>
+        <source>Bring the end to the height EndZ</source>
+        <translation>将终端移到标高 EndZ</translation>
+    </message>
+    <message>
+        <source>Bring the start to the height StartZ</source>
+        <translation>将始端移到标高 StartZ</translation>
+    </message>
+    <message>
+        <source>Camber or erection preset: displacement in x, y, z, mm, one per place</source>
+        <translation>预拱或安装预调：每处在 x、y、z 的位移，mm</translation>
+    </message>
+    <message>
+        <source>Camber or erection preset: places, ratios up to 1 or mm</source>
+        <translation>预拱或安装预调：位置，不大于 1 的比例或 mm</translation>
+    </message>
+    <message>
+        <source>Centre of gravity of all plates, mm</source>
+        <translation>全部板件的重心，mm</translation>
+    </message>
+    <message>
+        <source>Centre of gravity of each piece, mm</source>
+        <translation>各节段的重心，mm</translation>
+    </message>
+    <message>
+        <source>Centroid from the middle of b</source>
+        <translation>形心到 b 中点的距离</translation>
+    </message>
+    <message>
+        <source>Centroid from the middle of h</source>
+        <translation>形心到 h 中点的距离</translation>
+    </message>
+    <message>
+        <source>Colour of each plate, in mark order; empty for the view's own</source>
+        <translation>各板件的颜色，按编号顺序；空表示用视图自身的颜色</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Constant (d) and transition (b) zones: start and end, mm, slope, the paper's group</source>
+        <translation>等截面（d）与过渡（b）区段：起点和终点 mm、坡度、所属组别</translation>
+    </message>
+    <message>
+        <source>Corners of a polygon in turn, as (0, y, z) mm</source>
+        <translation>多边形各角点，依次为 (0, y, z) mm</translation>
+    </message>
+    <message>
+        <source>Cut by a plane through the point, instead of the end of the axis</source>
+        <translation>用过该点的平面切割，而不在轴线端点处</translation>
+    </message>
+    <message>
+        <source>Cut files</source>
+        <translation>切割文件</translation>
+    </message>
+    <message>
+        <source>Delivery piece of each mark</source>
+        <translation>各编号所属的运输节段</translation>
+    </message>
+    <message>
+        <source>Delivery pieces: number, start and end, mm, and number of parts</source>
+        <translation>运输节段：序号、起点和终点 mm、零件数</translation>
+    </message>
+    <message>
+        <source>Diaphragms</source>
+        <translation>隔板</translation>
+    </message>
+    <message>
+        <source>Direction as given, or by rule: low end to high, else along +x</source>
+        <translation>方向按给定，或按规则：由低端到高端，否则沿 +x</translation>
+    </message>
+    <message>
+        <source>Direction of the height, for frame fixed</source>
+        <translation>高度方向，用于固定标架</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>Distance along the outward normals</source>
+        <translation>沿外法线的距离</translation>
+    </message>
+    <message>
+        <source>Distance between the axes</source>
+        <translation>两轴线的距离</translation>
+    </message>
+    <message>
+        <source>Distance from the surface, for fit offset</source>
+        <translation>到曲面的距离，用于偏移贴合</translation>
+    </message>
+    <message>
+        <source>Drawn by, in the title block</source>
+        <translation>标题栏中的制图人</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>焊缝</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>端部</translation>
+    </message>
+    <message>
+        <source>Everything the last recompute found, one record (JSON) per line</source>
+        <translation>上次重算的全部检查结果，每行一条记录（JSON）</translation>
+    </message>
+    <message>
+        <source>Extra twist: angle in degrees, one per place, smooth between</source>
+        <translation>附加扭转：每处的角度（度），其间平滑过渡</translation>
+    </message>
+    <message>
+        <source>Extra twist: places along the axis, ratios up to 1 or mm</source>
+        <translation>附加扭转：沿轴线的位置，不大于 1 的比例或 mm</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>面</translation>
+    </message>
+    <message>
+        <source>Face closed last: top slot, top slot 100x24 @ 250, top weld, top weld 10</source>
+        <translation>最后封闭的面：top slot、top slot 100x24 @ 250、top weld、top weld 10</translation>
+    </message>
+    <message>
+        <source>Face of the surface, counted from 0 (iso-curve)</source>
+        <translation>曲面的面序号，从 0 起（等参线）</translation>
+    </message>
+    <message>
+        <source>Faces divided into as few lanes as the stock of the rule pack allows</source>
+        <translation>在规则包库存板材允许下分成尽量少分条的面</translation>
+    </message>
+    <message>
+        <source>Faces each end of the branch lands on</source>
+        <translation>支构件各端所落的面</translation>
+    </message>
+    <message>
+        <source>Faces whose joints are solved by the rule pack, instead of their lists</source>
+        <translation>接缝由规则包求解而不按列表的面</translation>
+    </message>
+    <message>
+        <source>Field gap to the next piece, mm</source>
+        <translation>与下一节段的现场间隙，mm</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>贴合</translation>
+    </message>
+    <message>
+        <source>Forming</source>
+        <translation>成形</translation>
+    </message>
+    <message>
+        <source>Forming class of each plate: flat, elastic, cold or hot</source>
+        <translation>各板件的成形类别：平板、弹性、冷弯或热弯</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>标架</translation>
+    </message>
+    <message>
+        <source>Frame given: angle in degrees against the minimal frame, one per place</source>
+        <translation>给定标架：每处相对最小旋转标架的角度（度）</translation>
+    </message>
+    <message>
+        <source>Frame given: direction of the height, one per place, instead of angles</source>
+        <translation>给定标架：每处的高度方向，代替角度</translation>
+    </message>
+    <message>
+        <source>Frame given: places along the axis, ratios up to 1 or mm</source>
+        <translation>给定标架：沿轴线的位置，不大于 1 的比例或 mm</translation>
+    </message>
+    <message>
         <source>Frames</source>
         <translation>标架</translation>
+    </message>
+    <message>
+        <source>Free list, a strip per line: face, letter, y1, z1, y2, z2, t, side (left right middle), stop1, stop2</source>
+        <translation>自由列表，每行一块板条：面、字母、y1、z1、y2、z2、t、侧（left right middle）、stop1、stop2</translation>
+    </message>
+    <message>
+        <source>From the axis of the member that runs through, along the branch, to the field joint behind a stub</source>
+        <translation>由贯通构件轴线沿支构件到牛腿后的现场接缝</translation>
+    </message>
+    <message>
+        <source>From the middle of the face towards its second edge, mm</source>
+        <translation>由面的中线朝其第二条边，mm</translation>
+    </message>
+    <message>
+        <source>From the site's x axis to the model's, about the vertical</source>
+        <translation>绕铅垂线由现场 x 轴转到模型 x 轴</translation>
+    </message>
+    <message>
+        <source>Gap to each wall, mm; of end plates to the outer faces, negative for an overhang</source>
+        <translation>到各壁板的间隙，mm；端板为到外表面，负值表示外伸</translation>
+    </message>
+    <message>
+        <source>Green length at its end, mm</source>
+        <translation>终端余量，mm</translation>
+    </message>
+    <message>
+        <source>Green length at its start, mm</source>
+        <translation>起端余量，mm</translation>
+    </message>
+    <message>
+        <source>Half angle (cone)</source>
+        <translation>半锥角（圆锥）</translation>
+    </message>
+    <message>
+        <source>Half the height of the down face's edges about the plane, largest of all pieces, mm</source>
+        <translation>朝下面各边相对该平面的高差之半，取各节段最大值，mm</translation>
+    </message>
+    <message>
+        <source>Half-axis along x (ellipsoid)</source>
+        <translation>沿 x 的半轴（椭球）</translation>
+    </message>
+    <message>
+        <source>Half-axis along y (ellipsoid)</source>
+        <translation>沿 y 的半轴（椭球）</translation>
+    </message>
+    <message>
+        <source>Half-axis along z (ellipsoid)</source>
+        <translation>沿 z 的半轴（椭球）</translation>
+    </message>
+    <message>
+        <source>Height h over the outer faces</source>
+        <translation>外表面之间的高度 h</translation>
+    </message>
+    <message>
+        <source>Height of the end</source>
+        <translation>终端标高</translation>
+    </message>
+    <message>
+        <source>Height of the lowest pin above the pins' base</source>
+        <translation>最低销高出销底座的高度</translation>
+    </message>
+    <message>
+        <source>Height of the lowest seat above the floor</source>
+        <translation>最低支座高出地面的高度</translation>
     </message>
     <message>
         <source>Height of the ribbon; 0 for one that suits</source>
         <translation>标架带的高度；0 为自动</translation>
     </message>
     <message>
+        <source>Height of the start</source>
+        <translation>始端标高</translation>
+    </message>
+    <message>
+        <source>How much larger than the section templates are cut, all round</source>
+        <translation>样板四周比截面放大的量</translation>
+    </message>
+    <message>
+        <source>ISO: first angle, weld symbols of ISO 2553; AWS: third angle, of AWS A2.4</source>
+        <translation>ISO：第一角投影，ISO 2553 焊缝符号；AWS：第三角投影，AWS A2.4 焊缝符号</translation>
+    </message>
+    <message>
+        <source>Joints of the face: cumulative ratios (up to 1) or mm from the start</source>
+        <translation>该面的接缝：累计比例（不大于 1）或距始端 mm</translation>
+    </message>
+    <message>
+        <source>Joints welded flat, before forming: allowance at the ends; after forming, in the box: spread over the plate</source>
+        <translation>接缝在成形前平焊：加量放在端部；成形后在箱体中焊：加量分布于全板</translation>
+    </message>
+    <message>
+        <source>Kind of surface</source>
+        <translation>曲面种类</translation>
+    </message>
+    <message>
         <source>Labels</source>
         <translation>标注</translation>
+    </message>
+    <message>
+        <source>Language of the labels</source>
+        <translation>标注语言</translation>
+    </message>
+    <message>
+        <source>Largest distance of control points; 0: no limit</source>
+        <translation>控制点最大间距；0：不限</translation>
+    </message>
+    <message>
+        <source>Largest distance of measuring lines along any corner line</source>
+        <translation>测量线沿任一棱线的最大间距</translation>
+    </message>
+    <message>
+        <source>Largest distance of saddles; they stand at diaphragms besides</source>
+        <translation>托架最大间距；隔板处另设托架</translation>
+    </message>
+    <message>
+        <source>Largest distance of templates, as far as there are stations</source>
+        <translation>样板最大间距，以有测站为限</translation>
+    </message>
+    <message>
+        <source>Largest distance of the axis to its surface</source>
+        <translation>轴线到其曲面的最大距离</translation>
+    </message>
+    <message>
+        <source>Largest distance of the curve from the chord of control points; 0: no limit</source>
+        <translation>曲线到控制点弦线的最大距离；0：不限</translation>
+    </message>
+    <message>
+        <source>Largest flat minus true area of a plate, mm2</source>
+        <translation>板件展开面积减真实面积的最大值，mm2</translation>
+    </message>
+    <message>
+        <source>Largest flat minus true length of the centre lines, mm</source>
+        <translation>中心线展开长减真实长的最大值，mm</translation>
+    </message>
+    <message>
+        <source>Largest flat minus true length of the lines, mm</source>
+        <translation>各线展开长减真实长的最大值，mm</translation>
+    </message>
+    <message>
+        <source>Largest flat minus true length of the long edges, mm</source>
+        <translation>长边展开长减真实长的最大值，mm</translation>
+    </message>
+    <message>
+        <source>Largest flat minus true length of the panel diagonals, mm</source>
+        <translation>格板对角线展开长减真实长的最大值，mm</translation>
+    </message>
+    <message>
+        <source>Largest flat minus true length over edges, lines and diagonals, mm</source>
+        <translation>各边、线、对角线展开长减真实长的最大值，mm</translation>
+    </message>
+    <message>
+        <source>Largest miss of the stations of two plates along their seam, mm</source>
+        <translation>相邻两板沿棱缝测站的最大错位，mm</translation>
+    </message>
+    <message>
+        <source>Largest strain of laying a plate flat</source>
+        <translation>板件展平的最大应变</translation>
+    </message>
+    <message>
+        <source>Largest turn of the normal about the axis between control points; 0: no limit</source>
+        <translation>控制点之间法线绕轴线的最大转角；0：不限</translation>
+    </message>
+    <message>
+        <source>Largest turn of the tangent between control points; 0: no limit</source>
+        <translation>控制点之间切线的最大转角；0：不限</translation>
+    </message>
+    <message>
+        <source>Largest twist of the frame, degrees per metre</source>
+        <translation>标架的最大扭率，度每米</translation>
+    </message>
+    <message>
+        <source>Layers of the DXF files by other names: CUT_OUTER=10, MARK_LINE=20, …</source>
+        <translation>DXF 文件图层的其他名称：CUT_OUTER=10, MARK_LINE=20, …</translation>
+    </message>
+    <message>
+        <source>Least and largest value of the colours, to compare members; empty: those of its own</source>
+        <translation>颜色对应的最小值和最大值，用于比较构件；空：用自身的</translation>
+    </message>
+    <message>
+        <source>Least distance between the thickness joints of adjacent faces</source>
+        <translation>相邻面变厚接缝之间的最小距离</translation>
+    </message>
+    <message>
+        <source>Least distance of a staggered thickness joint from a fold</source>
+        <translation>错开的变厚接缝到折线的最小距离</translation>
+    </message>
+    <message>
+        <source>Left beyond the end lines at the end of the member, mm</source>
+        <translation>构件终端端线外的余量，mm</translation>
+    </message>
+    <message>
+        <source>Left beyond the end lines at the start of the member, mm</source>
+        <translation>构件起端端线外的余量，mm</translation>
+    </message>
+    <message>
+        <source>Legs of the corners cut off, mm</source>
+        <translation>切角的边长，mm</translation>
+    </message>
+    <message>
+        <source>Length of the axis</source>
+        <translation>轴线长度</translation>
+    </message>
+    <message>
+        <source>Length of the chamfer of the thicker plate over its depth; 0 for none</source>
+        <translation>较厚板削斜的长度与深度之比；0 表示不削斜</translation>
+    </message>
+    <message>
+        <source>Length of the transition per millimetre of step; 0 for a step</source>
+        <translation>每毫米高差的过渡长度；0 表示突变</translation>
+    </message>
+    <message>
+        <source>Linear, with a fold at each end, or smooth over the same length</source>
+        <translation>直线过渡、两端有折线，或在同样长度内平滑过渡</translation>
+    </message>
+    <message>
+        <source>Make the branch flush with the member that runs through</source>
+        <translation>使支构件与贯通构件齐平</translation>
+    </message>
+    <message>
+        <source>Manhole: d=400, 400x600, 400x600 r=100; at 50 -100 moves it along breadth and height</source>
+        <translation>人孔：d=400、400x600、400x600 r=100；at 50 -100 沿宽度和高度移动</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>面上标记</translation>
+    </message>
+    <message>
+        <source>Mass of all plates, kg</source>
+        <translation>全部板件的质量，kg</translation>
+    </message>
+    <message>
+        <source>Mass of each piece, kg</source>
+        <translation>各节段的质量，kg</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Member</source>
+        <translation>构件</translation>
+    </message>
+    <message>
+        <source>Members that end at this node as well, which Other ends on where they overlap, whatever the ranks</source>
+        <translation>同样止于本节点的构件；重叠处 Other 止于其上，不论等级</translation>
+    </message>
+    <message>
+        <source>Members that end at this node as well: of two that overlap, the one of lower Rank is ended on by the other</source>
+        <translation>同样止于本节点的构件：两者重叠时，另一根止于 Rank 较小的一根</translation>
+    </message>
+    <message>
+        <source>Middle of the outer face of each mark</source>
+        <translation>各编号外表面的中点</translation>
+    </message>
+    <message>
+        <source>Model to bed frame of each piece: the sixteen numbers of its matrix, row by row</source>
+        <translation>各节段由模型到胎架坐标系的矩阵：逐行十六个数</translation>
+    </message>
+    <message>
+        <source>Moves the cut along the axis</source>
+        <translation>沿轴线移动分段点</translation>
+    </message>
+    <message>
+        <source>Moves the cut outwards, along the axis or off the face</source>
+        <translation>将切割面外移，沿轴线或离开该面</translation>
+    </message>
+    <message>
+        <source>Name of the node; branches of one node share it</source>
+        <translation>节点名称；同一节点的各支构件共用</translation>
+    </message>
+    <message>
+        <source>Name, density kg/m3, E MPa, fy MPa; empty: that of the walls</source>
+        <translation>名称、密度 kg/m3、E MPa、fy MPa；空：同壁板</translation>
+    </message>
+    <message>
+        <source>Near the end (plane section, geodesic), mm</source>
+        <translation>终点附近（平面截交、测地线），mm</translation>
+    </message>
+    <message>
+        <source>Near the start (plane section, geodesic), mm</source>
+        <translation>起点附近（平面截交、测地线），mm</translation>
+    </message>
+    <message>
+        <source>Net area of each pattern, mm2</source>
+        <translation>各展开图的净面积，mm2</translation>
+    </message>
+    <message>
+        <source>Node</source>
+        <translation>节点</translation>
+    </message>
+    <message>
+        <source>Non-destructive test; empty: the rule pack's</source>
+        <translation>无损检测；空：按规则包</translation>
+    </message>
+    <message>
+        <source>Normal of a cut by plane</source>
+        <translation>按平面切割时的法线</translation>
+    </message>
+    <message>
+        <source>Number of each delivery piece, along +s</source>
+        <translation>各运输节段的序号，沿 +s</translation>
+    </message>
+    <message>
+        <source>Number of pages</source>
+        <translation>页数</translation>
+    </message>
+    <message>
+        <source>Number of plates</source>
+        <translation>板件数</translation>
+    </message>
+    <message>
+        <source>Number of segments</source>
+        <translation>段数</translation>
+    </message>
+    <message>
+        <source>Number of the page, from 0</source>
+        <translation>页序号，从 0 起</translation>
+    </message>
+    <message>
+        <source>Offset along the breadth</source>
+        <translation>沿宽度方向的偏移</translation>
+    </message>
+    <message>
+        <source>Offset along the height</source>
+        <translation>沿高度方向的偏移</translation>
+    </message>
+    <message>
+        <source>Offset of the whole member along its breadth</source>
+        <translation>整根构件沿宽度的偏移</translation>
+    </message>
+    <message>
+        <source>Offset of the whole member along its height</source>
+        <translation>整根构件沿高度的偏移</translation>
+    </message>
+    <message>
+        <source>Offsets of the faces' thickness joints: auto, none, or mm such as top=0 left=200</source>
+        <translation>各面变厚接缝的错开：auto、none，或 mm，如 top=0 left=200</translation>
+    </message>
+    <message>
+        <source>Openings</source>
+        <translation>开孔</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>原点</translation>
+    </message>
+    <message>
+        <source>Outward direction there, as long as the plate is wide</source>
+        <translation>该处的外向方向，长度等于板宽</translation>
+    </message>
+    <message>
+        <source>Pages for the plates, too, about 0.1 s for each. The PDF has them always</source>
+        <translation>板件也各设一页，每页约 0.1 s。PDF 中始终有</translation>
+    </message>
+    <message>
+        <source>Per plate: bending moment that pulls it into shape, kNm</source>
+        <translation>每块板：将其拉到位的弯矩，kNm</translation>
+    </message>
+    <message>
+        <source>Per plate: clamping force at each corner beside its own weight, kN</source>
+        <translation>每块板：自重之外各角的夹紧力，kN</translation>
+    </message>
+    <message>
+        <source>Per plate: clamping force at mid-length beside its own weight, kN</source>
+        <translation>每块板：自重之外中部的夹紧力，kN</translation>
+    </message>
+    <message>
+        <source>Per plate: class, the rule that decided, and how it is brought into shape</source>
+        <translation>每块板：类别、所依据的规则、成形方法</translation>
+    </message>
+    <message>
+        <source>Per plate: half its height about the best plane, mm</source>
+        <translation>每块板：相对最佳平面高差之半，mm</translation>
+    </message>
+    <message>
+        <source>Per plate: largest flat minus true length over edges, lines and diagonals, mm</source>
+        <translation>每块板：各边、线、对角线展开长减真实长的最大值，mm</translation>
+    </message>
+    <message>
+        <source>Per plate: largest strain of laying it flat</source>
+        <translation>每块板：展平的最大应变</translation>
+    </message>
+    <message>
+        <source>Per plate: largest stress of forcing it elastically into shape, MPa</source>
+        <translation>每块板：弹性强制成形的最大应力，MPa</translation>
+    </message>
+    <message>
+        <source>Per plate: largest twist, degrees per metre</source>
+        <translation>每块板：最大扭率，度每米</translation>
+    </message>
+    <message>
+        <source>Per plate: length as cut, mm</source>
+        <translation>每块板：下料长度，mm</translation>
+    </message>
+    <message>
+        <source>Per plate: membrane stress of that, MPa</source>
+        <translation>每块板：其薄膜应力，MPa</translation>
+    </message>
+    <message>
+        <source>Per plate: net length of its pattern, mm</source>
+        <translation>每块板：展开图净长，mm</translation>
+    </message>
+    <message>
+        <source>Per plate: net width of its pattern, mm</source>
+        <translation>每块板：展开图净宽，mm</translation>
+    </message>
+    <message>
+        <source>Per plate: smallest bending radius, mm; infinite for a flat one</source>
+        <translation>每块板：最小弯曲半径，mm；平板为无穷大</translation>
+    </message>
+    <message>
+        <source>Per plate: what no flat pattern can be below in that, mm</source>
+        <translation>每块板：任何展开图在此项上的下限，mm</translation>
+    </message>
+    <message>
+        <source>Per plate: width as cut, mm</source>
+        <translation>每块板：下料宽度，mm</translation>
+    </message>
+    <message>
+        <source>Per saddle: piece, label, s, heights of the left and the right seat in mm</source>
+        <translation>每个托架：节段、编号、s、左右支座高度 mm</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>运输节段</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>销</translation>
+    </message>
+    <message>
+        <source>Pitch of the pin grid; 0 for none</source>
+        <translation>销阵间距；0 表示无</translation>
+    </message>
+    <message>
+        <source>Place on the branch</source>
+        <translation>在支构件上的位置</translation>
+    </message>
+    <message>
+        <source>Place on the member that runs through</source>
+        <translation>在贯通构件上的位置</translation>
+    </message>
+    <message>
+        <source>Places of nodes along the axis, which joints keep clear of, mm</source>
+        <translation>沿轴线的节点位置，接缝须避开，mm</translation>
+    </message>
+    <message>
+        <source>Plate thickness where no other is given</source>
+        <translation>未另给厚度处的板厚</translation>
+    </message>
+    <message>
+        <source>Plates</source>
+        <translation>板件</translation>
+    </message>
+    <message>
+        <source>Points form a ring</source>
+        <translation>各点构成闭合环</translation>
+    </message>
+    <message>
+        <source>Points in the order given, or chained from neighbour to neighbour</source>
+        <translation>各点按给定顺序，或按相邻关系串接</translation>
+    </message>
+    <message>
+        <source>Points the axis runs through</source>
+        <translation>轴线通过的点</translation>
+    </message>
+    <message>
+        <source>Points, mm; used when nothing is picked and no rule is set</source>
+        <translation>各点，mm；未选取且未设规则时使用</translation>
+    </message>
+    <message>
+        <source>Position marks, as the faces</source>
+        <translation>位置编号，与面同序</translation>
+    </message>
+    <message>
+        <source>Position marks, as the solids</source>
+        <translation>位置编号，与实体同序</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>预拱</translation>
+    </message>
+    <message>
+        <source>Product moment, mm4</source>
+        <translation>惯性积，mm4</translation>
+    </message>
+    <message>
+        <source>Project name in the title block</source>
+        <translation>标题栏中的项目名称</translation>
+    </message>
+    <message>
+        <source>Radius (sphere, cylinder, cone at z = 0, torus tube)</source>
+        <translation>半径（球、圆柱、z = 0 处的圆锥、圆环管）</translation>
+    </message>
+    <message>
+        <source>Radius of the circle the tube follows (torus)</source>
+        <translation>圆管中心圆的半径（圆环）</translation>
+    </message>
+    <message>
+        <source>Raise the end by this, along the axis</source>
+        <translation>终端抬高此值，沿轴线渐变</translation>
+    </message>
+    <message>
+        <source>Raise the start by this, along the axis</source>
+        <translation>始端抬高此值，沿轴线渐变</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Reverse the outward side</source>
+        <translation>反转外侧</translation>
+    </message>
+    <message>
+        <source>Root gap on the left (box1, webs run through) or at the top of the webs; of all corners of a polygon</source>
+        <translation>左侧（box1，腹板贯通）或腹板顶部的根部间隙；多边形为所有角</translation>
+    </message>
+    <message>
+        <source>Root gap on the right (box1, webs run through) or at the bottom of the webs</source>
+        <translation>右侧（box1，腹板贯通）或腹板底部的根部间隙</translation>
+    </message>
+    <message>
+        <source>Root gap to the outer faces</source>
+        <translation>到外表面的根部间隙</translation>
+    </message>
+    <message>
+        <source>Root mean square distance of the axis to its surface</source>
+        <translation>轴线到其曲面距离的均方根</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>规则曲线</translation>
+    </message>
+    <message>
+        <source>Run the end on along the axis; negative trims it</source>
+        <translation>终端沿轴线延长；负值为截短</translation>
+    </message>
+    <message>
+        <source>Run the start on along the axis; negative trims it</source>
+        <translation>始端沿轴线延长；负值为截短</translation>
+    </message>
+    <message>
+        <source>Scale of the comb (mm2) or height of the ribbon (mm); 0: to suit</source>
+        <translation>曲率梳比例（mm2）或标架带高度（mm）；0：自动</translation>
+    </message>
+    <message>
+        <source>Seams that divide the face along: cumulative ratios (up to 1) or mm of its width</source>
+        <translation>将该面纵向分条的缝：其宽度的累计比例（不大于 1）或 mm</translation>
+    </message>
+    <message>
+        <source>Second moment about the y axis through the centroid, mm4</source>
+        <translation>绕过形心 y 轴的惯性矩，mm4</translation>
+    </message>
+    <message>
+        <source>Second moment about the z axis through the centroid, mm4</source>
+        <translation>绕过形心 z 轴的惯性矩，mm4</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>截面</translation>
+    </message>
+    <message>
+        <source>Segment 1</source>
+        <translation>第 1 段</translation>
+    </message>
+    <message>
+        <source>Segment 10</source>
+        <translation>第 10 段</translation>
+    </message>
+    <message>
+        <source>Segment 11</source>
+        <translation>第 11 段</translation>
+    </message>
+    <message>
+        <source>Segment 12</source>
+        <translation>第 12 段</translation>
+    </message>
+    <message>
+        <source>Segment 2</source>
+        <translation>第 2 段</translation>
+    </message>
+    <message>
+        <source>Segment 3</source>
+        <translation>第 3 段</translation>
+    </message>
+    <message>
+        <source>Segment 4</source>
+        <translation>第 4 段</translation>
+    </message>
+    <message>
+        <source>Segment 5</source>
+        <translation>第 5 段</translation>
+    </message>
+    <message>
+        <source>Segment 6</source>
+        <translation>第 6 段</translation>
+    </message>
+    <message>
+        <source>Segment 7</source>
+        <translation>第 7 段</translation>
+    </message>
+    <message>
+        <source>Segment 8</source>
+        <translation>第 8 段</translation>
+    </message>
+    <message>
+        <source>Segment 9</source>
+        <translation>第 9 段</translation>
+    </message>
+    <message>
+        <source>Several picked edges, wires, sketches or points, in any order</source>
+        <translation>所选的多条边、线框、草图或点，顺序任意</translation>
+    </message>
+    <message>
+        <source>Sheets</source>
+        <translation>图纸</translation>
+    </message>
+    <message>
+        <source>Sheets there are, such as 12000x2500; 16 10000x2000; 30 S460 8000x2200 (thickness and grade where it is theirs alone); empty: the rule pack's</source>
+        <translation>现有板材，如 12000x2500; 16 10000x2000; 30 S460 8000x2200（仅适用于某厚度和牌号时写出）；空：按规则包</translation>
     </message>
     <message>
         <source>Show station lines and the labels of L and P</source>
@@ -26,6 +902,422 @@
     <message>
         <source>Show where the height of sections points</source>
         <translation>显示截面高度所指的方向</translation>
+    </message>
+    <message>
+        <source>Shrinkage across the member, added to the patterns, mm per m</source>
+        <translation>横向收缩，加到展开图上，mm 每 m</translation>
+    </message>
+    <message>
+        <source>Shrinkage along the member, added to the patterns, mm per m</source>
+        <translation>纵向收缩，加到展开图上，mm 每 m</translation>
+    </message>
+    <message>
+        <source>Site</source>
+        <translation>现场</translation>
+    </message>
+    <message>
+        <source>Size of the pages</source>
+        <translation>图纸幅面</translation>
+    </message>
+    <message>
+        <source>Smallest radius of curvature; 0 for a straight axis</source>
+        <translation>最小曲率半径；直线轴线为 0</translation>
+    </message>
+    <message>
+        <source>Station lines that have a template besides: L-3, …</source>
+        <translation>另设样板的测量线：L-3, …</translation>
+    </message>
+    <message>
+        <source>Steel grade</source>
+        <translation>钢材牌号</translation>
+    </message>
+    <message>
+        <source>Steepest slope from seat to seat, degrees</source>
+        <translation>支座之间的最大坡度，度</translation>
+    </message>
+    <message>
+        <source>Steps of the top, bottom, left and right face at each cut, mm</source>
+        <translation>各分段点处顶、底、左、右面的错台，mm</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>曲面</translation>
+    </message>
+    <message>
+        <source>Take the distance as the points' mean distance, for fit offset</source>
+        <translation>以各点的平均距离为距离，用于偏移贴合</translation>
+    </message>
+    <message>
+        <source>Templates</source>
+        <translation>样板</translation>
+    </message>
+    <message>
+        <source>The assembly bed shown, if any</source>
+        <translation>图中所示的拼装胎架（如有）</translation>
+    </message>
+    <message>
+        <source>The axis the member follows</source>
+        <translation>构件所沿的轴线</translation>
+    </message>
+    <message>
+        <source>The crossing axis</source>
+        <translation>相交的轴线</translation>
+    </message>
+    <message>
+        <source>The face of each piece that lies down</source>
+        <translation>各节段朝下的面</translation>
+    </message>
+    <message>
+        <source>The face patterns are seen from and marked on</source>
+        <translation>展开图的视图面和划线面</translation>
+    </message>
+    <message>
+        <source>The face that lies down: bottom, top, left, right, …, or auto, the flattest</source>
+        <translation>朝下的面：bottom、top、left、right、…，或 auto（最平的面）</translation>
+    </message>
+    <message>
+        <source>The face, or a whole shape of faces, for kind `face`</source>
+        <translation>种类为 `face` 时：一个面，或由面组成的整个形体</translation>
+    </message>
+    <message>
+        <source>The flat patterns these sheets show</source>
+        <translation>图纸所示的展开图</translation>
+    </message>
+    <message>
+        <source>The member cut into plates</source>
+        <translation>被分成板件的构件</translation>
+    </message>
+    <message>
+        <source>The member that ends on it</source>
+        <translation>止于其上的构件</translation>
+    </message>
+    <message>
+        <source>The member that runs through</source>
+        <translation>贯通构件</translation>
+    </message>
+    <message>
+        <source>The model's origin on the site</source>
+        <translation>模型原点在现场的位置</translation>
+    </message>
+    <message>
+        <source>The nodes the member takes part in</source>
+        <translation>构件所在的节点</translation>
+    </message>
+    <message>
+        <source>The parameter held (iso-curve)</source>
+        <translation>保持不变的参数（等参线）</translation>
+    </message>
+    <message>
+        <source>The plane's normal (plane section)</source>
+        <translation>平面的法线（平面截交）</translation>
+    </message>
+    <message>
+        <source>The plates laid flat</source>
+        <translation>被展平的板件</translation>
+    </message>
+    <message>
+        <source>The plates to be put together</source>
+        <translation>要拼装的板件</translation>
+    </message>
+    <message>
+        <source>The points of this axis at CrossingPlaces</source>
+        <translation>本轴线在 CrossingPlaces 处的点</translation>
+    </message>
+    <message>
+        <source>The rules joints are checked by and solved for, and plates formed by</source>
+        <translation>接缝校核与求解以及板件成形所依据的规则</translation>
+    </message>
+    <message>
+        <source>The rules the node is checked by</source>
+        <translation>节点校核所依据的规则</translation>
+    </message>
+    <message>
+        <source>The same points before the preset</source>
+        <translation>预拱前的同一批点</translation>
+    </message>
+    <message>
+        <source>The section</source>
+        <translation>截面</translation>
+    </message>
+    <message>
+        <source>The sheet set this page belongs to</source>
+        <translation>本页所属的图纸集</translation>
+    </message>
+    <message>
+        <source>The sheet sets of the members shown; drawn in the style of the first</source>
+        <translation>所示构件的图纸集；按第一份的样式绘制</translation>
+    </message>
+    <message>
+        <source>The surface of the plates that is laid flat and measured</source>
+        <translation>板件中被展平和量测的面</translation>
+    </message>
+    <message>
+        <source>The surface that turns the sections</source>
+        <translation>决定截面朝向的曲面</translation>
+    </message>
+    <message>
+        <source>Thickness changes</source>
+        <translation>变厚</translation>
+    </message>
+    <message>
+        <source>Thickness of each side of a polygon, mm; empty for Thickness</source>
+        <translation>多边形各边的厚度，mm；空表示同 Thickness</translation>
+    </message>
+    <message>
+        <source>Thickness of the bottom plate; 0 for Thickness</source>
+        <translation>底板厚度；0 表示同 Thickness</translation>
+    </message>
+    <message>
+        <source>Thickness of the top plate; 0 for Thickness</source>
+        <translation>顶板厚度；0 表示同 Thickness</translation>
+    </message>
+    <message>
+        <source>Thickness of the webs; 0 for Thickness</source>
+        <translation>腹板厚度；0 表示同 Thickness</translation>
+    </message>
+    <message>
+        <source>Thickness, mm</source>
+        <translation>厚度，mm</translation>
+    </message>
+    <message>
+        <source>Torsion angle from start to end</source>
+        <translation>由始端到终端的扭转角</translation>
+    </message>
+    <message>
+        <source>Torsion constant, mm4: Bredt when closed, sum of bt³/3 when open</source>
+        <translation>扭转常数，mm4：闭口按 Bredt 公式，开口为 bt³/3 之和</translation>
+    </message>
+    <message>
+        <source>Transition length from the largest step of a face, or from the total change</source>
+        <translation>过渡长度按某一面的最大高差，或按总变化量</translation>
+    </message>
+    <message>
+        <source>Turn about the axis</source>
+        <translation>绕轴线的转角</translation>
+    </message>
+    <message>
+        <source>Turn of the frame about the axis</source>
+        <translation>标架绕轴线的转角</translation>
+    </message>
+    <message>
+        <source>Turn the direction; points keep their numbers</source>
+        <translation>反转方向；各点编号不变</translation>
+    </message>
+    <message>
+        <source>Turns the shape from the member's direction towards the second edge, degrees</source>
+        <translation>将形状由构件方向转向第二条边，度</translation>
+    </message>
+    <message>
+        <source>Unfold</source>
+        <translation>展开</translation>
+    </message>
+    <message>
+        <source>Unit of dimensions and sizes</source>
+        <translation>尺寸的单位</translation>
+    </message>
+    <message>
+        <source>Unit of site values on the sheets</source>
+        <translation>图纸上现场坐标的单位</translation>
+    </message>
+    <message>
+        <source>Upward direction of a bed by normal, in the model</source>
+        <translation>按法线的胎架在模型中的向上方向</translation>
+    </message>
+    <message>
+        <source>Volume of all plates</source>
+        <translation>全部板件的体积</translation>
+    </message>
+    <message>
+        <source>Weld: a seam such as TL, a joint such as T1/T2, a node, a diaphragm such as D1; or joints, nodes, diaphragms, end plates for all of them</source>
+        <translation>焊缝：棱缝如 TL、接缝如 T1/T2、节点、隔板如 D1；或 joints、nodes、diaphragms、end plates 表示全部</translation>
+    </message>
+    <message>
+        <source>What cut files draw of bevelled edges: the edge of the surface laid flat; of the marking face (top); the line where groove and land meet; the outermost line</source>
+        <translation>切割文件中坡口边所画的线：展平面的边；划线面（top）的边；坡口与钝边的交线；最外的线</translation>
+    </message>
+    <message>
+        <source>What is picked is an exact curve, or points to fit through; automatic: straight pieces are points</source>
+        <translation>所选为精确曲线，或要拟合的点；automatic：直线段视为点</translation>
+    </message>
+    <message>
+        <source>What lies on the axis, or is flush with the segment before</source>
+        <translation>位于轴线上，或与前一段齐平的部位</translation>
+    </message>
+    <message>
+        <source>What of the branch goes on inside the member that runs through</source>
+        <translation>支构件在贯通构件内部延续的部分</translation>
+    </message>
+    <message>
+        <source>What the axis shows beside its line</source>
+        <translation>轴线除线以外所显示的内容</translation>
+    </message>
+    <message>
+        <source>What the colours mean: colour and value</source>
+        <translation>颜色的含义：颜色和数值</translation>
+    </message>
+    <message>
+        <source>What the plates are coloured by in the window</source>
+        <translation>窗口中板件的着色依据</translation>
+    </message>
+    <message>
+        <source>What the points leave open: largest distance of a point from the axis without it</source>
+        <translation>各点未定的程度：去掉某点后轴线到该点的最大距离</translation>
+    </message>
+    <message>
+        <source>Where CrossingAxes cross, in their order: mm from the start</source>
+        <translation>CrossingAxes 的相交位置，按其顺序：距始端 mm</translation>
+    </message>
+    <message>
+        <source>Where it ends; empty: at the end of the member</source>
+        <translation>终点；空：在构件终端</translation>
+    </message>
+    <message>
+        <source>Where it ends; empty: where the next starts, or the member ends</source>
+        <translation>终点；空：下一节段起点或构件终端</translation>
+    </message>
+    <message>
+        <source>Where it is held, as a part of its range (iso-curve)</source>
+        <translation>保持的位置，以其范围的比例表示（等参线）</translation>
+    </message>
+    <message>
+        <source>Where it starts as a part of the length; 0 to use the distance</source>
+        <translation>起点占长度的比例；0 表示用距离</translation>
+    </message>
+    <message>
+        <source>Where it starts: mm or a ratio such as 35%; empty: at the start of the member</source>
+        <translation>起点：mm 或比例如 35%；空：在构件始端</translation>
+    </message>
+    <message>
+        <source>Where it starts: mm or a ratio such as 35%; empty: where the one before ends</source>
+        <translation>起点：mm 或比例如 35%；空：前一节段终点</translation>
+    </message>
+    <message>
+        <source>Where members meet the lower rank runs through</source>
+        <translation>构件相交处等级小者贯通</translation>
+    </message>
+    <message>
+        <source>Where the curve ends, as a part of the other range (iso-curve)</source>
+        <translation>曲线终点，以另一参数范围的比例表示（等参线）</translation>
+    </message>
+    <message>
+        <source>Where the curve starts, as a part of the other range (iso-curve)</source>
+        <translation>曲线起点，以另一参数范围的比例表示（等参线）</translation>
+    </message>
+    <message>
+        <source>Where the section's height points: surface, its normal; minimal, never turning about the axis; fixed, one direction; given, by the table</source>
+        <translation>截面高度的指向：surface，曲面法线；minimal，不绕轴线转动；fixed，固定方向；given，按表</translation>
+    </message>
+    <message>
+        <source>Where the transition to the segment starts, from the start of the axis; of segment 1 on closed axes only</source>
+        <translation>到本段的过渡的起点，由轴线始端量起；第 1 段仅用于闭合轴线</translation>
+    </message>
+    <message>
+        <source>Where: mm from the start, a ratio such as 35%, or start and end for end plates</source>
+        <translation>位置：距始端 mm、比例如 35%，端板用 start 和 end</translation>
+    </message>
+    <message>
+        <source>Where: mm from the start, or a ratio like 35%</source>
+        <translation>位置：距始端 mm，或比例如 35%</translation>
+    </message>
+    <message>
+        <source>Where: mm from the start, or a ratio such as 35%</source>
+        <translation>位置：距始端 mm，或如 35% 的比例</translation>
+    </message>
+    <message>
+        <source>Which plates run to the corner (trapezoid, polygon): flanges, webs, each over the next (ring), or mitred</source>
+        <translation>通到角部的板（梯形、多边形）：翼缘、腹板、依次搭接（环），或斜接</translation>
+    </message>
+    <message>
+        <source>Whole turns of the frame once round a closed axis</source>
+        <translation>标架绕闭合轴线一周的整转数</translation>
+    </message>
+    <message>
+        <source>Width over thickness of each flat part, and its class in compression by each rule pack</source>
+        <translation>各平板的宽厚比，及其按各规则包的受压类别</translation>
+    </message>
+    <message>
+        <source>Yield strength</source>
+        <translation>屈服强度</translation>
+    </message>
+    <message>
+        <source>Young's modulus</source>
+        <translation>弹性模量</translation>
+    </message>
+    <message>
+        <source>bevel angle=40 land=6 gap=2 inner backing=30x6; types square, bevel, v, double-bevel, double-v, fillet; empty: that of the rule pack</source>
+        <translation>如 bevel angle=40 land=6 gap=2 inner backing=30x6；类型 square、bevel、v、double-bevel、double-v、fillet；空：按规则包</translation>
+    </message>
+    <message>
+        <source>box1: webs full height, flanges between them; box2: flanges full breadth; i: I or H; tee; channel; trapezoid: box with sloping webs; polygon: ring of plates; strips: free list</source>
+        <translation>box1：腹板通高，翼缘在其间；box2：翼缘通宽；i：工字形或 H 形；tee：T 形；channel：槽形；trapezoid：斜腹板箱形；polygon：板件围成的环；strips：自由列表</translation>
+    </message>
+    <message>
+        <source>crossing, T, Y, K or corner</source>
+        <translation>交叉、T、Y、K 或角部</translation>
+    </message>
+    <message>
+        <source>d=120, 200x100, 200x100 r=20 or slot 120x40; the first size along the member</source>
+        <translation>d=120、200x100、200x100 r=20 或 slot 120x40；第一个尺寸沿构件方向</translation>
+    </message>
+    <message>
+        <source>direct: the branch is welded to the outer faces; stub: a stub of it, with a field joint at StubLength</source>
+        <translation>direct：支构件焊到外表面；stub：留一段牛腿，在 StubLength 处设现场接缝</translation>
+    </message>
+    <message>
+        <source>edges: both long edges keep their length; energy: least strain with straight lines; elastic: least strain</source>
+        <translation>edges：两条长边保持长度；energy：直母线下应变最小；elastic：应变最小</translation>
+    </message>
+    <message>
+        <source>fit: the best plane of the face's edges; middle: the face's plane at mid-length; normal: square to Normal</source>
+        <translation>fit：面各边的最佳平面；middle：面在中部的平面；normal：垂直于 Normal</translation>
+    </message>
+    <message>
+        <source>kg/m</source>
+        <translation>kg/m（每米质量）</translation>
+    </message>
+    <message>
+        <source>kg/m3</source>
+        <translation>kg/m3（密度）</translation>
+    </message>
+    <message>
+        <source>link: Through runs through; rank: of the two members the one of lower Rank does</source>
+        <translation>link：Through 贯通；rank：两构件中 Rank 较小者贯通</translation>
+    </message>
+    <message>
+        <source>m2/m; of a closed section its outside</source>
+        <translation>m2/m；闭口截面为其外侧</translation>
+    </message>
+    <message>
+        <source>ok, or the first error</source>
+        <translation>ok，或第一个错误</translation>
+    </message>
+    <message>
+        <source>place: by Cut or CutRatio; crossing: where CutAxis crosses; point: nearest to CutPoint</source>
+        <translation>place：按 Cut 或 CutRatio；crossing：与 CutAxis 相交处；point：距 CutPoint 最近处</translation>
+    </message>
+    <message>
+        <source>pull: the axis through the points is pulled onto the surface; keep: left there; offset: held at a distance from it</source>
+        <translation>pull：把过各点的轴线拉到曲面上；keep：保持原位；offset：与曲面保持距离</translation>
+    </message>
+    <message>
+        <source>punch, line 200, line 200 90deg, or a text</source>
+        <translation>punch、line 200、line 200 90deg，或一段文字</translation>
+    </message>
+    <message>
+        <source>shop or field; empty: field where pieces meet</source>
+        <translation>shop（工厂）或 field（现场）；空：节段相接处为现场</translation>
+    </message>
+    <message>
+        <source>square to the axis; plumb, upright across it; level; plane, by its normal; surface, at a face</source>
+        <translation>square：垂直于轴线；plumb：铅垂横切；level：水平；plane：按法线；surface：沿某个面</translation>
+    </message>
+    <message>
+        <source>square, or stepped top=80 bottom=-80; empty: as the next starts</source>
+        <translation>square，或 stepped top=80 bottom=-80；空：同下一节段的起端</translation>
+    </message>
+    <message>
+        <source>square, or stepped top=80 bottom=-80; empty: as the one before ends</source>
+        <translation>square，或 stepped top=80 bottom=-80；空：同前一节段的终端</translation>
     </message>
 </context>
 <context>
@@ -67,6 +1359,14 @@
         <translation>轴线距曲面不超过</translation>
     </message>
     <message>
+        <source>Box with a narrower or wider bottom</source>
+        <translation>底面较窄或较宽的箱形</translation>
+    </message>
+    <message>
+        <source>Box with any number of walls</source>
+        <translation>任意壁数的箱形</translation>
+    </message>
+    <message>
         <source>Breadth at the bottom</source>
         <translation>底部宽度</translation>
     </message>
@@ -83,6 +1383,10 @@
         <translation>取消</translation>
     </message>
     <message>
+        <source>Channel section</source>
+        <translation>槽形截面</translation>
+    </message>
+    <message>
         <source>Clearance of templates</source>
         <translation>样板间隙</translation>
     </message>
@@ -97,6 +1401,10 @@
     <message>
         <source>Colour by</source>
         <translation>着色依据</translation>
+    </message>
+    <message>
+        <source>Computing {what}, {done} of {count}; Esc stops</source>
+        <translation>正在计算 {what}，{done}/{count}；按 Esc 停止</translation>
     </message>
     <message>
         <source>Contour of bevelled edges</source>
@@ -279,6 +1587,10 @@
         <translation>成形类别</translation>
     </message>
     <message>
+        <source>Free list of plates</source>
+        <translation>自由板列</translation>
+    </message>
+    <message>
         <source>FreeCAD document (*.FCStd)</source>
         <translation>FreeCAD 文档 (*.FCStd)</translation>
     </message>
@@ -303,6 +1615,10 @@
         <translation>高度指向</translation>
     </message>
     <message>
+        <source>I section</source>
+        <translation>工字形截面</translation>
+    </message>
+    <message>
         <source>ISO</source>
         <translation>ISO</translation>
     </message>
@@ -321,6 +1637,10 @@
     <message>
         <source>Joints welded</source>
         <translation>接缝焊接</translation>
+    </message>
+    <message>
+        <source>Joints: {count}, against the rules: {broken}</source>
+        <translation>拼接缝：{count} 条，其中不合规则：{broken} 条</translation>
     </message>
     <message>
         <source>K</source>
@@ -415,12 +1735,20 @@
         <translation>节点</translation>
     </message>
     <message>
+        <source>Not shown yet: it takes a while; leave the field (Tab)</source>
+        <translation>尚未显示：计算需要一些时间；离开该输入框（Tab）后显示</translation>
+    </message>
+    <message>
         <source>Not taken: {cells}</source>
         <translation>未采用：{cells}</translation>
     </message>
     <message>
         <source>Nothing to repair: every object can be computed</source>
         <translation>无需修复：所有对象均可计算</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>确定</translation>
     </message>
     <message>
         <source>Offset along the breadth</source>
@@ -667,12 +1995,20 @@
         <translation>T 形</translation>
     </message>
     <message>
+        <source>T section</source>
+        <translation>T 形截面</translation>
+    </message>
+    <message>
         <source>Templates besides at</source>
         <translation>另加样板位置</translation>
     </message>
     <message>
         <source>Templates every</source>
         <translation>样板间距</translation>
+    </message>
+    <message>
+        <source>The faces have their surface already: {surface}</source>
+        <translation>所选的面已有曲面：{surface}</translation>
     </message>
     <message>
         <source>The plates do not fit: 2 t must be less than h and b</source>
@@ -823,6 +2159,10 @@
         <translation>不大于 {limit:.0f}</translation>
     </message>
     <message>
+        <source>auto</source>
+        <translation>自动</translation>
+    </message>
+    <message>
         <source>automatic</source>
         <translation>自动</translation>
     </message>
@@ -871,8 +2211,12 @@
         <translation>槽形</translation>
     </message>
     <message>
-        <source>click a member where the cut is to be</source>
-        <translation>单击构件上要分段的位置</translation>
+        <source>click a member where the cut is to be, then Cut point</source>
+        <translation>先在构件上单击要分段的位置，再选分段点</translation>
+    </message>
+    <message>
+        <source>cold</source>
+        <translation>冷弯</translation>
     </message>
     <message>
         <source>concert hall, from its schedule</source>
@@ -967,6 +2311,10 @@
         <translation>翼缘和腹板</translation>
     </message>
     <message>
+        <source>flat</source>
+        <translation>平板</translation>
+    </message>
+    <message>
         <source>forming</source>
         <translation>成形类别</translation>
     </message>
@@ -989,6 +2337,10 @@
     <message>
         <source>given</source>
         <translation>给定</translation>
+    </message>
+    <message>
+        <source>hot</source>
+        <translation>热弯</translation>
     </message>
     <message>
         <source>i</source>
@@ -1043,6 +2395,10 @@
         <translation>水平</translation>
     </message>
     <message>
+        <source>limit</source>
+        <translation>限值</translation>
+    </message>
+    <message>
         <source>linear</source>
         <translation>线性</translation>
     </message>
@@ -1069,6 +2425,14 @@
     <message>
         <source>members</source>
         <translation>构件</translation>
+    </message>
+    <message>
+        <source>mend</source>
+        <translation>处理</translation>
+    </message>
+    <message>
+        <source>message</source>
+        <translation>内容</translation>
     </message>
     <message>
         <source>mid</source>
@@ -1163,6 +2527,10 @@
         <translation>法向</translation>
     </message>
     <message>
+        <source>object</source>
+        <translation>对象</translation>
+    </message>
+    <message>
         <source>offset</source>
         <translation>偏移</translation>
     </message>
@@ -1217,6 +2585,10 @@
     <message>
         <source>polygon</source>
         <translation>多边形</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>位置</translation>
     </message>
     <message>
         <source>previous</source>
@@ -1341,6 +2713,10 @@
     <message>
         <source>select the node to edit</source>
         <translation>请选择要编辑的节点</translation>
+    </message>
+    <message>
+        <source>severity</source>
+        <translation>级别</translation>
     </message>
     <message>
         <source>shorter plate beside it</source>
@@ -1479,6 +2855,10 @@
         <translation>v</translation>
     </message>
     <message>
+        <source>value</source>
+        <translation>实际</translation>
+    </message>
+    <message>
         <source>webs</source>
         <translation>腹板</translation>
     </message>
@@ -1511,10 +2891,6 @@
         <translation>已选择 {count} 个面，需要一个</translation>
     </message>
     <message>
-        <source>{count} joints, {broken} of them against the rules</source>
-        <translation>{count} 条接缝,其中 {broken} 条违反规则</translation>
-    </message>
-    <message>
         <source>{count} members are selected, two are needed</source>
         <translation>已选择 {count} 根构件，需要两根</translation>
     </message>
@@ -1529,6 +2905,10 @@
     <message>
         <source>{count} pages</source>
         <translation>{count} 页</translation>
+    </message>
+    <message>
+        <source>{count} pages, in the tree below {sheets}</source>
+        <translation>{count} 张图纸，位于树中 {sheets} 之下</translation>
     </message>
     <message>
         <source>{count} patterns, lengths within {off:.4f} mm</source>

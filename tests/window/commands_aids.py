@@ -72,3 +72,26 @@ def whole_document(name):
     FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
     FreeCADGui.SendMsgToActiveView("ViewFit")
     return document
+
+
+def long_members(name, count=3):
+    """Members 31 m long side by side, of one section, with plates."""
+    from BendTorsionWB import make
+
+    document = FreeCAD.newDocument(name)
+    hall = make.make_surface(document, "Hall", "ellipsoid", a=40000, b=30000, c=20000)
+    section = make.make_section(document, "B", h=600, b=600, t=16)
+    joints = [5000, 10000, 15000, 20000, 25000]
+    for k in range(count):
+        y = 3000.0 * (k - 1)
+        xs = (-15000.0, -8000.0, 0.0, 8000.0, 15000.0)
+        points = [(x, y, 20000 * (1 - (x / 40000) ** 2 - (y / 30000) ** 2) ** 0.5) for x in xs]
+        axis = make.make_axis(document, f"A{k + 1}", hall, points)
+        member = make.make_member(document, f"M{k + 1}", axis, [section])
+        make.make_plates(document, member, dict.fromkeys(("top", "left"), joints))
+        member.ViewObject.Visibility = False
+    document.recompute()
+    document.clearUndos()
+    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    return document

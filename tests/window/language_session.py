@@ -97,4 +97,64 @@ def refusals():
     return said
 
 
-steps.run(commands, pages, panels, refusals)
+def findings():
+    """An error and warnings in the panel of findings, a task panel, the member table and the
+    status bar; a refusal in its message box; and what the objects hold of them."""
+    from commands_aids import member_document, panel_text
+    from hands import field, named, press, retype, run, select
+
+    from BendTorsionWB.gui import command, finding_words, macro
+
+    document = member_document("Found")
+    plates, section = named("M1 plates"), named("B600")
+    plates.JointsTop = [900.0, 950.0]
+    document.recompute()
+    shown = {"warnings": [finding_words.of_text(text).message for text in plates.Findings]}
+    select(section)
+    run("Section")
+    retype(field("Thickness"), "400 mm")
+    steps.settle(10)
+    shown["label"] = panel_text()
+    shown["field"] = field("Thickness").toolTip()
+    steps.picture("zh_error_in_panel")
+    press("Cancel")
+    named("M2").Cut2 = 90000.0
+    document.recompute()
+    run("MemberTable")
+    run("Findings")
+    steps.settle(6)
+    window = FreeCADGui.getMainWindow()
+    docks = {
+        name: window.findChild(QtGui.QDockWidget, f"BendTorsion_{name}").table
+        for name in ("FindingsPanel", "MemberTable")
+    }
+    steps.picture("zh_findings")
+    found = docks["FindingsPanel"]
+    shown["headings"] = [found.horizontalHeaderItem(c).text() for c in range(found.columnCount())]
+    shown["rows"] = [
+        [found.item(r, c).text() for c in range(found.columnCount())]
+        for r in range(found.rowCount())
+    ]
+    shown["tooltips"] = [found.item(r, 0).toolTip() for r in range(found.rowCount())]
+    table = docks["MemberTable"]
+    shown["cells"] = [
+        table.item(r, c).toolTip()
+        for r in range(table.rowCount())
+        for c in range(table.columnCount())
+        if table.item(r, c).toolTip()
+    ]
+    select(named("M2"))
+    steps.settle(2)
+    shown["status_bar"] = window.statusBar().currentMessage()
+    told = []
+    command._show = told.append
+    with command.errors_shown():
+        macro.raise_errors([named("M2")])
+    with command.errors_shown():
+        open(os.path.join(os.path.dirname(__file__), "nothing", "there"))
+    shown["boxes"] = told
+    shown["held"] = [*named("M2").Findings, named("M2").Status]
+    return shown
+
+
+steps.run(commands, pages, panels, refusals, findings)

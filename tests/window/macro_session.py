@@ -57,14 +57,13 @@ def all_commands():
         dialog.fields["h"].setProperty("rawValue", 700.0)
         dialog.accept()
 
+    command("Surface", (document.Ball, "Face1"), finish="Ok")
     answered(answer)
     command("MembersFromSelection", (document.Ball, "Face1"), document.Arc1, document.Arc2)
     with asked(save_file=os.path.join(FOLDER, "bundle.zip")):
         command("SupportBundle")
     command("Repair")
-    command("Surface", (document.Ball, "Face1"), finish="Ok")
-    surface = next(o for o in document.Objects if o.Label == "Surface 2")
-    command("Axis", surface, document.Branch, finish="Ok")
+    command("Axis", named("Surface"), document.Branch, finish="Ok")
     command("Section", finish="Ok", edit=lambda: retype(field("Height"), "500 mm"))
     section = next(o for o in document.Objects if o.Label == "Section 2")
     command("Member", named("Axis"), section, finish="Ok")

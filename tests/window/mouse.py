@@ -60,3 +60,16 @@ def click(at):
     """Press and release at one place."""
     press(at)
     release(at)
+
+
+def place(axis, s, up=0.0):
+    """The place at arc length s of an Axis, (x, y, z), some mm along the height above it."""
+    import numpy as np
+
+    from BendTorsionWB.core.axes.frames import frames_of
+    from BendTorsionWB.objects import axis as axis_object
+
+    value = axis_object.value(axis)
+    frames = frames_of(value, axis_object.surface_value(axis), axis_object.frame_value(axis))
+    at = frames.at(np.array([s]))
+    return at.origin[0] + up * at.z[0]

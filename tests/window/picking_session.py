@@ -13,19 +13,7 @@ import mouse
 import steps
 from commands_aids import member_document
 from hands import field, key, named, press, run, select, window
-
-
-def place(axis, s, up=0.0):
-    """The place at arc length s of an Axis, (x, y, z), some mm along the height above it."""
-    import numpy as np
-
-    from BendTorsionWB.core.axes.frames import frames_of
-    from BendTorsionWB.objects import axis as axis_object
-
-    value = axis_object.value(axis)
-    frames = frames_of(value, axis_object.surface_value(axis), axis_object.frame_value(axis))
-    at = frames.at(np.array([s]))
-    return at.origin[0] + up * at.z[0]
+from mouse import place
 
 
 def texts():

@@ -79,9 +79,13 @@ def held():
     for name in ("Std_Delete", "Std_Undo"):
         trigger(name)
         seen[name] = [section.Height.Value, panel_open()]
-    event = QtGui.QShortcutEvent(QtGui.QKeySequence("Del"), 0)
-    QtGui.QApplication.sendEvent(FreeCADGui.Command.get("Std_Delete").getAction()[0], event)
-    seen["told"] = window().statusBar().currentMessage()
+    seen["told"] = []
+    for key in (QtCore.Qt.Key_Home, QtCore.Qt.Key_Delete):
+        window().statusBar().clearMessage()
+        event = QtGui.QKeyEvent(QtCore.QEvent.ShortcutOverride, key, QtCore.Qt.NoModifier)
+        event.ignore()
+        QtGui.QApplication.sendEvent(window().centralWidget(), event)
+        seen["told"].append(window().statusBar().currentMessage())
     press("Cancel")
     steps.settle(6)
     seen["widths"] = [*widths, main.width()]

@@ -249,6 +249,40 @@ def sources():
     return seen
 
 
+def surface_used_again():
+    """Members, a surface and an axis on a face that has its Surface; on the whole shape, and on
+    one that is offset. A new one with nothing selected."""
+    document, ball, line = FreeCAD.ActiveDocument, named("Ball"), named("Line")
+    seen = {"members": [named(mark).Axis.Surface.Label for mark in ("M1", "M2")]}
+    document.clearUndos()
+    for name, face in (("face", (ball, "Face1")), ("shape", ball)):
+        select(face)
+        shown = run("Surface")
+        said = window().statusBar().currentMessage()
+        retype(field("Offset"), "5 mm")
+        press("Ok" if name == "face" else "Cancel")
+        seen[name] = [shown, said, named("Surface").Offset.Value, ours(document, "Surface")]
+        if name == "face":
+            document.undo()
+            document.recompute()
+            document.clearUndos()
+    select((ball, "Face1"), line)
+    run("Axis")
+    press("Ok")
+    seen["axis"] = [named("Axis").Surface.Label, ours(document, "Surface"), document.UndoNames]
+    named("Surface").Offset = 100
+    document.recompute()
+    select((ball, "Face1"), line)
+    run("Axis")
+    press("Ok")
+    seen["offset"] = [named("Axis 2").Surface.Label, ours(document, "Surface")]
+    select()
+    run("Surface")
+    press("Ok")
+    seen["new"] = ours(document, "Surface")
+    return seen
+
+
 steps.run(
     no_document,
     axes,
@@ -259,4 +293,5 @@ steps.run(
     context_of_sheets,
     in_error,
     sources,
+    surface_used_again,
 )

@@ -76,6 +76,15 @@ def found_source(name: str, sources: dict[str, AxisSource], file: str) -> AxisSo
     if exact is not None or len(alike) == 1:
         return exact or alike[0]
     known = ", ".join(list(sources)[:12]) or "none"
+    if not name and sources:
+        raise BendTorsionError(
+            error(
+                "axis-source-name",
+                file,
+                "the file holds several curves",
+                f"name one of them after a #: {known}",
+            )
+        )
     raise BendTorsionError(
         error(
             "axis-source-name",

@@ -148,7 +148,11 @@ def _towards(line: np.ndarray, middle: np.ndarray) -> tuple[np.ndarray, np.ndarr
 
 def _clipped(run: np.ndarray, side: np.ndarray) -> list[np.ndarray]:
     """The stretches of a run (n, 2) where `side` (n,) is positive, cut where it is zero."""
+    kept = side > 0.0
+    if kept.all() or not kept.any():
+        return [run] if len(run) > 1 and kept.all() else []
     found, part = [], []
+    side = side.tolist()
     for k in range(len(run)):
         if k and (side[k - 1] > 0.0) != (side[k] > 0.0):
             share = side[k - 1] / (side[k - 1] - side[k])

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 
 import numpy as np
@@ -57,16 +58,20 @@ class Labels:
         self._low = np.concatenate([self._low, segments.min(axis=1)])
         self._high = np.concatenate([self._high, segments.max(axis=1)])
 
-    def _near(self, low: np.ndarray, high: np.ndarray) -> np.ndarray:
+    def _near(self, low: tuple[float, float], high: tuple[float, float]) -> np.ndarray:
         """The segments that come near a box given by its lower left and upper right corner."""
-        near = (self._low < high + CLEARANCE) & (self._high > low - CLEARANCE)
-        return self.segments[near[:, 0] & near[:, 1]]
+        (x0, y0), (x1, y1) = low, high
+        near = self._low[:, 0] < x1 + CLEARANCE
+        near &= self._low[:, 1] < y1 + CLEARANCE
+        near &= self._high[:, 0] > x0 - CLEARANCE
+        near &= self._high[:, 1] > y0 - CLEARANCE
+        return self.segments[near]
 
     def put(self, text: Text, leader: np.ndarray | None = None) -> bool:
         """Take the text, and its leader (2, 2), as placed; False when they touch anything."""
-        box = _with_space(text_box(text))
-        bound = (*box.min(axis=0).tolist(), *box.max(axis=0).tolist())
-        left, low, right, high = bound
+        body = text_box(text)
+        box = _with_space(body)
+        left, low, right, high = bound = _bounds(box)
         grown = (left - CLEARANCE, low - CLEARANCE, right + CLEARANCE, high + CLEARANCE)
         for other, taken in zip(self.boxes, self.bounds, strict=True):
             apart = (
@@ -77,10 +82,10 @@ class Labels:
             )
             if not apart and boxes_overlap(box, other, CLEARANCE):
                 return False
-        if _crossed(text_box(text), self._near(box.min(axis=0), box.max(axis=0)), CLEARANCE):
+        if _crossed(body, self._near(bound[:2], bound[2:]), CLEARANCE):
             return False
         if leader is not None:
-            if _crossed(text_box(text), leader[None], 0.0):
+            if _crossed(body, leader[None], 0.0):
                 return False
             (x0, y0), (x1, y1) = leader.min(axis=0) - 0.1, leader.max(axis=0) + 0.1
             for other, taken in zip(self.boxes, self.bounds, strict=True):
@@ -104,14 +109,15 @@ class Labels:
         text."""
         if any(boxes_overlap(box, other, CLEARANCE) for other in self.boxes):
             return False
-        if _crossed(box, self._near(box.min(axis=0), box.max(axis=0)), CLEARANCE):
+        bound = _bounds(box)
+        if _crossed(box, self._near(bound[:2], bound[2:]), CLEARANCE):
             return False
         if not self.clear_of_texts(leader):
             return False
         self.keep_off(leader)
         self.texts += texts
         self.boxes.append(box)
-        self.bounds.append((*box.min(axis=0).tolist(), *box.max(axis=0).tolist()))
+        self.bounds.append(bound)
         return True
 
 
@@ -122,26 +128,36 @@ def _with_space(box: np.ndarray) -> np.ndarray:
     return box + np.array([-step, step, step, -step])
 
 
+def _bounds(box: np.ndarray) -> tuple[float, float, float, float]:
+    """Left, low, right and high of a rectangle (4, 2)."""
+    xs, ys = zip(*box.tolist())
+    return min(xs), min(ys), max(xs), max(ys)
+
+
 def _crossed(box: np.ndarray, segments: np.ndarray, clearance: float) -> bool:
     """True when a segment (n, 2, 2) meets the rectangle grown by `clearance` (slab clipping)."""
-    if not len(segments):
+    # There are a few segments near a text at most: plain numbers are faster than arrays of them.
+    (x0, y0), (x1, y1), _, (x3, y3) = box.tolist()
+    sides = ((x1 - x0, y1 - y0), (x3 - x0, y3 - y0))
+    sizes = [math.hypot(*side) for side in sides]
+    if not all(sizes):
         return False
-    along, up = box[1] - box[0], box[3] - box[0]
-    size = np.array([np.hypot(*along), np.hypot(*up)])
-    axes = np.column_stack([along / size[0], up / size[1]])
-    local = (segments - box[0]) @ axes
-    start, step = local[:, 0], local[:, 1] - local[:, 0]
-    low, high = -clearance - start, size + clearance - start
-    with np.errstate(divide="ignore", invalid="ignore"):
-        enter, leave = low / step, high / step
-    enter, leave = np.minimum(enter, leave), np.maximum(enter, leave)
-    still = step == 0.0
-    inside = (low <= 0.0) & (high >= 0.0)
-    enter = np.where(still, np.where(inside, -np.inf, np.inf), enter)
-    leave = np.where(still, np.where(inside, np.inf, -np.inf), leave)
-    first = np.maximum(enter.max(axis=1), 0.0)
-    last = np.minimum(leave.min(axis=1), 1.0)
-    return bool(np.any(first <= last))
+    slabs = [(x / size, y / size, size) for (x, y), size in zip(sides, sizes)]
+    for (px, py), (qx, qy) in segments.tolist():
+        first, last = 0.0, 1.0
+        for x, y, size in slabs:
+            start = (px - x0) * x + (py - y0) * y
+            step = (qx - x0) * x + (qy - y0) * y - start
+            low, high = -clearance - start, size + clearance - start
+            if step == 0.0:
+                if low > 0.0 or high < 0.0:
+                    last = -math.inf
+                continue
+            enter, leave = (low / step, high / step) if step > 0.0 else (high / step, low / step)
+            first, last = max(first, enter), min(last, leave)
+        if first <= last:
+            return True
+    return False
 
 
 def label_beyond(labels: Labels, label: str, end: np.ndarray, far: np.ndarray) -> bool:

@@ -10,6 +10,7 @@ import numpy as np
 
 from ..flattening.development import Development
 from ..geometry.piecewise import Piecewise, span_nodes
+from ..geometry.vectors import crossed, lengths
 from .contour import EndCurves, bracketed_roots, fibre_cuts
 from .member import EndSurface
 from .strips import StripRails
@@ -134,7 +135,7 @@ class Solid:
 
 
 def _mixed(values: np.ndarray, w, d) -> np.ndarray:
-    """Points (n, 3) between corners (n, 12) at w and d."""
+    """Points (..., n, 3) between corners (n, 12) at w and d (..., n or 1)."""
     w, d = np.asarray(w)[..., None], np.asarray(d)[..., None]
     outer = values[:, 0:3] + w * (values[:, 3:6] - values[:, 0:3])
     inner = values[:, 6:9] + w * (values[:, 9:12] - values[:, 6:9])
@@ -166,17 +167,14 @@ def trimmed_figures(rails: StripRails, cuts: Sequence[EndCurves | None]) -> Trim
     origin = values[:, :3].mean(axis=0)
     values = values - np.tile(origin, 4)
 
-    def along(columns: list[np.ndarray]) -> Piecewise:
-        stacked = np.concatenate(columns, axis=1)
+    def along(fibres: np.ndarray) -> Piecewise:
+        stacked = np.moveaxis(fibres, 0, 1)
         return Piecewise(breaks, stacked.reshape(*nodes.shape, -1)).antiderivative()
 
-    columns = []
-    for w in _CUBIC:
-        for d in _CUBIC:
-            across, through = _spans(values, w, d)
-            density = (np.cross(across, through) * _mixed(rates, w, d)).sum(axis=1)[:, None]
-            columns.append(density * np.concatenate([1.0 + 0.0 * density, _mixed(values, w, d)], 1))
-    whole = along(columns)
+    w, d = np.repeat(_CUBIC, 4)[:, None], np.tile(_CUBIC, 4)[:, None]
+    density = (crossed(*_spans(values, w, d)) * _mixed(rates, w, d)).sum(axis=2)[..., None]
+    points = _mixed(values, w, d)
+    whole = along(density * np.concatenate([1.0 + 0.0 * density, points], axis=2))
     moments, ends = np.zeros(4), []
     for k, cut in enumerate(cuts):
         w, d, weights = _through(cut)
@@ -192,11 +190,8 @@ def trimmed_figures(rails: StripRails, cuts: Sequence[EndCurves | None]) -> Trim
             u, by_u = _rule(_PANELS) if edge else _across(cut, at)
             level = np.full(len(u), at)
             w, d = (level, u) if edge else (u, level)
-            density = []
-            for one, two in zip(w, d, strict=True):
-                side = _spans(values, one, two)[int(edge)]
-                normal = np.cross(_mixed(rates, one, two), side)
-                density.append(np.sqrt((normal * normal).sum(axis=1))[:, None])
+            side = _spans(values, w[:, None], d[:, None])[int(edge)]
+            density = lengths(crossed(_mixed(rates, w[:, None], d[:, None]), side))
             found = np.diagonal(along(density)(_ends_at(solid, cut, k, w, d)))
             own.append(float((by_u * found).sum()))
         areas.append(own[1] - own[0])
@@ -242,8 +237,7 @@ def _end_density(solid: Solid, cut: EndCurves | None, place, w, d) -> np.ndarray
             side - ((gradient * side).sum(axis=1) / slope)[:, None] * along
             for side in (across, through)
         )
-    normal = np.cross(across, through)
-    return np.sqrt((normal * normal).sum(axis=1))
+    return lengths(crossed(across, through))
 
 
 def _met(solid: Solid, cut: EndCurves, w: np.ndarray, d: np.ndarray) -> np.ndarray:
@@ -268,10 +262,8 @@ def area_beyond(rails: Piecewise, surface: EndSurface, end: int) -> float:
     cut = fibre_cuts(rails, surface, w, np.full(len(w), rails.start), np.full(len(w), rails.end))
     values, rates = rails.values, rails.derivative.values
     ruling = values[..., 3:] - values[..., :3]
-    density = []
-    for part in w:
-        normal = np.cross(rates[..., :3] + part * (rates[..., 3:] - rates[..., :3]), ruling)
-        density.append(np.sqrt((normal * normal).sum(axis=2)))
-    whole = Piecewise(rails.breaks, np.stack(density, axis=2)).antiderivative()
+    way = rates[..., None, :3] + w[:, None] * (rates[..., 3:] - rates[..., :3])[..., None, :]
+    density = lengths(crossed(way, ruling[..., None, :]))
+    whole = Piecewise(rails.breaks, density).antiderivative()
     to = np.diagonal(whole(cut))
     return float((weights * (to if end == 0 else whole(np.array([rails.end]))[0] - to)).sum())

@@ -126,7 +126,7 @@ def find_nodes(
                 if row.s is None
                 else f" near s = {row.place(lengths.get(row.through, 1.0)):.0f} mm of {row.through}"
             ),
-            "correct the members of the row, or delete it",
+            "choose members that meet, or leave the node out",
             position=f"row {index + 1}",
         )
         for index, row in enumerate(rows)

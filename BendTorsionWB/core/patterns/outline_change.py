@@ -23,6 +23,9 @@ SAME = 0.02
 """mm; outlines closer than this are cut the same: the contour of a cut file is no closer."""
 MISSING = 0.1
 """mm; material that may be missing where a plate is cut from another."""
+CLOSER = 2e-5
+"""mm; how much more than at the best place may be missing where less comes off: edges of a slowly
+changing bow would slide by decimetres for a hundredth."""
 ROUNDS = 12
 SIDES = ("E-1", "E-2", "lower edge", "upper edge")
 PREFERENCE = (1.003, 1.0, 1.002, 1.001)
@@ -32,15 +35,28 @@ PREFERENCE = (1.003, 1.0, 1.002, 1.001)
 @dataclass(frozen=True)
 class Trim:
     """What a plate already cut needs to become another. missing: mm of material it lacks at worst;
-    sides: (name, mm) of what comes off, empty when it can stay as it is."""
+    sides: (name, mm) of what comes off, empty when it can stay as it is; turn (rad) and shift (mm):
+    how the new plate is laid into the old one."""
 
     missing: float
     sides: tuple[tuple[str, float], ...] = ()
+    turn: float = 0.0
+    shift: tuple[float, float] = (0.0, 0.0)
+
+    def laid(self, points: np.ndarray) -> np.ndarray:
+        """Points (n, 2) of the new plate where they lie in the old one."""
+        return _turned(points, self.turn) + self.shift
 
     @property
     def possible(self) -> bool:
         """Whether the new plate can be cut from the old one."""
         return self.missing <= MISSING
+
+
+def apart(before: np.ndarray, after: np.ndarray) -> float:
+    """Largest distance, mm, between two closed outlines (n, 2), (m, 2) as they lie, both ways."""
+    _, gaps, _ = _distances(_dense(after), _dense(before))
+    return float(np.abs(gaps).max())
 
 
 def deviation(before: np.ndarray, after: np.ndarray) -> float:
@@ -66,8 +82,12 @@ def deviation(before: np.ndarray, after: np.ndarray) -> float:
 
 def trim(before: np.ndarray, after: np.ndarray, end_first: bool = False) -> Trim:
     """Whether the outline `after` can be cut from a plate of outline `before`, and the least that
-    comes off at each side. end_first: whether the end of the plate (E-2) lies at the lower u."""
-    old, new = _dense(before, True), _centred(_dense(after, True), before)
+    comes off at each side. Of places where it would do, those are taken where no more than at the
+    best is missing: edges that stay as they are lie on each other, marks on the plate hold, and
+    what comes off does so at the side that moved. end_first: whether the end of the plate (E-2)
+    lies at the lower u."""
+    start = _dense(after, True)
+    old, new = _dense(before, True), _centred(start, before)
     missing = np.inf
     for _ in range(ROUNDS):
         rows, gaps, of_new = _distances(new, old)
@@ -80,28 +100,54 @@ def trim(before: np.ndarray, after: np.ndarray, end_first: bool = False) -> Trim
         new = _moved(new, motion[:3])
     if missing > MISSING:
         return Trim(missing)
-    sides, plain = _sides(old, end_first), ~_corners(old)
-    new, least, off = best, np.inf, {}
+    sides, missing = _sides(old, end_first), max(missing, 0.0)
+    off, laid = _least(best, old, sides, missing + CLOSER, PREFERENCE)
+    # What is a sliver at one side comes off with the rest at the other.
+    weights = [1.0 if off[k] >= off[k ^ 1] else 1.01 for k in range(len(SIDES))]
+    off, laid = _least(laid, old, sides, missing + 0.1 * SAME, weights)
+    sides_off = tuple((name, float(mm)) for name, mm in zip(SIDES, off) if mm > 2.0 * MISSING)
+    turn = _turn(start, laid)
+    shift = laid.mean(axis=0) - _turned(start, turn).mean(axis=0)
+    return Trim(missing, sides_off, turn, (float(shift[0]), float(shift[1])))
+
+
+def _least(new: np.ndarray, old: np.ndarray, sides: np.ndarray, slack: float, weights: Sequence):
+    """What comes off at each of SIDES, mm, where the sum by weights is least and no more than slack
+    is missing; and the outline as it lies then. sides: of the points of old."""
+    plain, least, off, laid = ~_corners(old), np.inf, [0.0] * len(SIDES), new
     for _ in range(ROUNDS):
         rows, gaps, of_new = _distances(new, old)
         depth, facing = -gaps[~of_new], plain & _facing(old, new)
         now = [depth[facing & (sides == k)].max(initial=0.0) for k in range(len(SIDES))]
-        if gaps[of_new].max() <= 2.0 * MISSING and np.dot(now, PREFERENCE) < least - 0.01 * MISSING:
-            least, off = np.dot(now, PREFERENCE), dict(zip(SIDES, now))
+        if gaps[of_new].max() <= slack + SAME and np.dot(now, weights) < least - 0.01 * MISSING:
+            least, off, laid = np.dot(now, weights), now, new
         # New points stay inside the old plate; old points of a side reach out by its trim at most.
         inside = np.column_stack([rows[of_new], np.zeros((of_new.sum(), len(SIDES)))])
         own = -(sides[facing, None] == np.arange(len(SIDES))).astype(float)
         reach = np.column_stack([-rows[~of_new][facing], own])
         motion = _solved(
             np.vstack([inside, reach]),
-            np.concatenate([np.maximum(MISSING - gaps[of_new], 0.0), -depth[facing]]),
-            [0, 0, 0, *PREFERENCE],
+            np.concatenate([np.maximum(slack - gaps[of_new], 0.0), -depth[facing]]),
+            [0, 0, 0, *weights],
         )
         new = _moved(new, motion[:3])
         if np.abs(motion[:3]).max() < 0.01 * SAME:
             break
-    sides_off = tuple((name, float(mm)) for name, mm in off.items() if mm > 2.0 * MISSING)
-    return Trim(max(missing, 0.0), sides_off)
+    return off, laid
+
+
+def _turn(before: np.ndarray, after: np.ndarray) -> float:
+    """The angle, rad, points were turned by that keep their distances."""
+    one, other = before - before.mean(axis=0), after - after.mean(axis=0)
+    across = (one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]).sum()
+    return float(np.arctan2(across, (one * other).sum()))
+
+
+def _turned(points: np.ndarray, angle: float) -> np.ndarray:
+    c, s = np.cos(angle), np.sin(angle)
+    return np.column_stack(
+        [c * points[:, 0] - s * points[:, 1], s * points[:, 0] + c * points[:, 1]]
+    )
 
 
 def _solved(matrix, bounds, cost: Sequence[float], lowest: float = 0.0) -> np.ndarray:

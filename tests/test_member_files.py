@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Files of members that workers make: those of one plate together, each with its own outcome."""
+
+import os
+from concurrent.futures import Future
+
+import pytest
+from flat_plates import member as record_of
+from flat_plates import rectangle
+
+from BendTorsionWB import member_files as member_files_module
+from BendTorsionWB.core.drawings.sheet_style import PLAIN_STYLE
+from BendTorsionWB.core.finding import BendTorsionError, error
+from BendTorsionWB.core.parallel import Workers
+from BendTorsionWB.core.patterns import cut_contour
+from BendTorsionWB.exchange.whole_file import in_temporary_folder
+from BendTorsionWB.member_files import (
+    FILES_AT_ONCE,
+    MemberFile,
+    member_files,
+    record_key,
+    start_all,
+    written,
+)
+
+
+class Counting:
+    """Runs what it is given at once, and counts the tasks."""
+
+    def __init__(self):
+        self.tasks = []
+
+    def submit(self, function, files):
+        self.tasks.append(files)
+        done = Future()
+        done.set_result(function(files))
+        return done
+
+
+def records(plates=3):
+    marks = [f"T{k}" for k in range(1, plates + 1)]
+    return {
+        name: record_of(name, tuple(rectangle(mark=f"{name}-{mark}") for mark in marks))
+        for name in ("M1", "M2")
+    }
+
+
+def files_of(found):
+    return member_files(found, dict.fromkeys(found, ""), PLAIN_STYLE, sheets=False)
+
+
+def test_a_plate_is_fitted_once_for_its_dxf_and_nc1_file(monkeypatch):
+    fitted = []
+    real = cut_contour.fit_runs
+
+    def spy(outline, tolerance, mark):
+        fitted.append(mark)
+        return real(outline, tolerance, mark)
+
+    monkeypatch.setattr(cut_contour, "fit_runs", spy)
+    cut_contour.cut_arcs.cache_clear()
+    files, executor = files_of(records()), Counting()
+    made = start_all(files, executor)
+    assert sorted(fitted) == sorted({file.plate for file in files if file.plate})
+    assert len(executor.tasks) == len(records())
+    for file in files:
+        assert written(file, made[file.name]) == file.write(file.given)
+
+
+def test_a_large_member_is_many_tasks_and_none_parts_a_plate():
+    executor = Counting()
+    made = start_all(files_of(records(FILES_AT_ONCE)), executor)
+    assert len(executor.tasks) == 4 and max(map(len, executor.tasks)) <= FILES_AT_ONCE + 1
+    for name, started in made.items():
+        if name.endswith(".dxf"):
+            other = made[name.replace("plates/", "nc1/").replace(".dxf", ".nc1")]
+            assert other.task is started.task
+
+
+def refused(given):
+    raise BendTorsionError(error("nc1-contour", given, "is refused", "mend it"))
+
+
+def test_a_file_that_cannot_be_made_is_told_alone():
+    files = [
+        MemberFile("a", "M1", "", str.encode, "text", "M1-T1"),
+        MemberFile("b", "M1", "", refused, "M1-T1", "M1-T1"),
+    ]
+    made = start_all(files, Counting())
+    assert written(files[0], made["a"]) == b"text"
+    with pytest.raises(BendTorsionError, match="M1-T1.*is refused"):
+        written(files[1], made["b"])
+
+
+def ends(given):
+    if os.getpid() != given:
+        os._exit(1)
+    return b"here"
+
+
+def test_what_a_worker_died_at_is_made_here():
+    files = [MemberFile("a", "M1", "", ends, os.getpid())]
+    executor = Workers(1)
+    try:
+        made = start_all(files, executor)
+        assert written(files[0], made["a"]) == b"here"
+    finally:
+        executor.shutdown()
+
+
+def test_the_key_of_a_record_is_told_by_its_content_and_taken_once(monkeypatch):
+    taken = []
+    real = member_files_module.key_of
+    monkeypatch.setattr(member_files_module, "key_of", lambda *a: taken.append(a) or real(*a))
+    one, same = records()["M1"], records()["M1"]
+    keys = [record_key(key, record) for record in (one, same) for key in ("a", "a", "b", "")]
+    assert keys[:4] == keys[4:] and len(set(keys)) == 3 and keys[3] == ""
+    assert len(taken) == 4
+
+
+def test_what_the_temporary_folder_refuses_is_told_of_that_folder(tmp_path, monkeypatch):
+    """The kernel says only that it cannot: it is asked inside the folder why, never beside it."""
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path / "gone"))
+    with pytest.raises(BendTorsionError) as caught, in_temporary_folder():
+        raise OSError("no reason")
+    (found,) = caught.value.findings
+    assert found.code == "file-not-written" and str(tmp_path / "gone") in found.object
+    assert "No such file" in found.message and list(tmp_path.iterdir()) == []
