@@ -26,6 +26,7 @@ from importlib.util import find_spec  # noqa: E402
 
 from BendTorsionWB import arguments, freecad_path  # noqa: E402
 from BendTorsionWB.console import Progress, print_findings  # noqa: E402
+from BendTorsionWB.core.collection import leave_to_the_end  # noqa: E402
 from BendTorsionWB.core.finding import BendTorsionError  # noqa: E402
 from BendTorsionWB.exchange.outside_files import outside_allowed  # noqa: E402
 
@@ -288,4 +289,6 @@ _COMMANDS = {
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    code = main()
+    leave_to_the_end()
+    sys.exit(code)

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from BendTorsionWB.core import detailing
+from BendTorsionWB.core.collection import without_collection
 from BendTorsionWB.core.drawings.sheet_style import PLAIN_STYLE, SheetStyle
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
 from BendTorsionWB.core.lofting import MemberRecord, failed_record
@@ -181,7 +182,9 @@ def detail_members(
     """The members in schedule order, from the cache where it has them, and an error for each whose
     worker died. keys: of the jobs, for the cache. Raises BendTorsionError with every finding
     located at its cell, and then keeps nothing."""
-    found = {name: cache.find(keys[name]) for name in jobs} if cache else {}
+    # The collector would walk all that is read so far, again and again.
+    with without_collection():
+        found = {name: cache.find(keys[name]) for name in jobs} if cache else {}
     results = {name: result for name, result in found.items() if result is not None}
     pending = {name: job for name, job in jobs.items() if name not in results}
     faults, lost, packed = [], [], {}

@@ -36,6 +36,7 @@ import openpyxl  # noqa: E402
 
 from BendTorsionWB import project  # noqa: E402
 from BendTorsionWB.core import memo  # noqa: E402
+from BendTorsionWB.core.collection import leave_to_the_end  # noqa: E402
 from BendTorsionWB.core.parallel import workers_for  # noqa: E402
 from BendTorsionWB.exchange.schedule_writer import write_schedule  # noqa: E402
 from BendTorsionWB.project import Wanted  # noqa: E402
@@ -135,6 +136,8 @@ def build(path: str, out: str, split: str) -> None:
     print(f"@memory {(own + 2 * others) / 1e6}")
     print(f"@plates {sum(len(record.plates) for record in result.records)}")
     print(f"@failed {sum(not record.plates for record in result.records)}")
+    # As the command line does.
+    leave_to_the_end()
 
 
 def size(out: Path, pattern: str) -> float:

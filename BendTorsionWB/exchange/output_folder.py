@@ -14,6 +14,8 @@ from pathlib import Path
 from BendTorsionWB.core.finding import BETWEEN, BendTorsionError, Finding, error, warning
 from BendTorsionWB.exchange.whole_file import not_written, remove_parts, write_whole
 
+_AT_ONCE = 65536
+"""Bytes of a file that are read and hashed at once."""
 MANIFEST = ".bendtorsion.json"
 """The record of our files in the folder."""
 JOURNAL = ".bendtorsion.journal"
@@ -178,11 +180,15 @@ def write_manifest(
 
 def file_hash(path: Path) -> str:
     """sha256 of a file; empty when it cannot be read."""
+    digest = hashlib.sha256()
     try:
-        with open(path, "rb") as stream:
-            return hashlib.file_digest(stream, "sha256").hexdigest()
+        # In parts: models are large; of thousands of small files each is one.
+        with open(path, "rb", buffering=0) as stream:
+            while part := stream.read(_AT_ONCE):
+                digest.update(part)
     except OSError:
         return ""
+    return digest.hexdigest()
 
 
 def is_current(out: Path, name: str, own: OwnFile | None, made_from: str) -> bool:

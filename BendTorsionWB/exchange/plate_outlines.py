@@ -63,19 +63,22 @@ def write_outlines(plates: Iterable[CutOutline], path: Path) -> None:
     """Keep outlines; the same plates give the same bytes. Raises BendTorsionError."""
     plates = list(plates)
     rings = [ring for plate in plates for ring in (plate.outline, *plate.holes)]
+    figures = [[p.thickness, p.length, p.width, p.mass, p.end_first] for p in plates]
+    kept = {
+        "marks": np.array([plate.mark for plate in plates], dtype=str),
+        "members": np.array([plate.member for plate in plates], dtype=str),
+        "materials": np.array([plate.material for plate in plates], dtype=str),
+        "figures": np.array(figures, float).reshape(-1, 5),
+        "rings": np.array([1 + len(plate.holes) for plate in plates], int),
+        "counts": np.array([len(ring) for ring in rings], int),
+        "points": np.vstack([*rings, np.zeros((0, 2))]),
+    }
     stream = io.BytesIO()
-    np.savez_compressed(
-        stream,
-        marks=np.array([plate.mark for plate in plates], dtype=str),
-        members=np.array([plate.member for plate in plates], dtype=str),
-        materials=np.array([plate.material for plate in plates], dtype=str),
-        figures=np.array(
-            [[p.thickness, p.length, p.width, p.mass, p.end_first] for p in plates], float
-        ).reshape(-1, 5),
-        rings=np.array([1 + len(plate.holes) for plate in plates], int),
-        counts=np.array([len(ring) for ring in rings], int),
-        points=np.vstack([*rings, np.zeros((0, 2))]),
-    )
+    # Packed lightly: coordinates hardly become smaller, however long one tries.
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as file:
+        for name, values in kept.items():
+            with file.open(f"{name}.npy", "w", force_zip64=True) as part:
+                np.lib.format.write_array(part, values, allow_pickle=False)
     write_changed(path, stream.getvalue())
 
 
