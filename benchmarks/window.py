@@ -35,6 +35,8 @@ LIMITS = {
 def main():
     """Print each figure beside its limit."""
     model = Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "build/concert_hall/model.FCStd"
+    if not model.is_file():
+        raise SystemExit(f"{model} is not there: name a model, or make one by `make demo`")
     with tempfile.TemporaryDirectory() as folder:
         seen = run_in_window(SCRIPT, Path(folder), time_limit=600, model=model.resolve())
     print(f"{'':34}{'wall s':>9}{'cpu s':>9}{'limit':>9}")
