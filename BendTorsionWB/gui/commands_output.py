@@ -10,6 +10,7 @@ from BendTorsionWB.gui import ask, finding_words, macro, selection, tree
 from BendTorsionWB.gui.command import Command
 from BendTorsionWB.gui.commands_plates import make_all, users
 from BendTorsionWB.gui.progress import progress
+from BendTorsionWB.gui.qt import QtCore
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -71,10 +72,18 @@ def sheets(document) -> None:
             if page.isDerivedFrom("TechDraw::DrawPage"):
                 pages.append(page)
     if pages:
-        pages[0].ViewObject.doubleClicked()
+        first = document.Name, pages[0].Name
+        # The dialog that closes gives the view back its focus a moment later.
+        QtCore.QTimer.singleShot(100, lambda: _open_page(*first))
     labels = ", ".join(item.Label for item in made)
     words = translate("BendTorsion", "{count} pages, in the tree below {sheets}")
     ask.tell(words.format(count=len(pages), sheets=labels))
+
+
+def _open_page(document: str, name: str) -> None:
+    page = FreeCAD.listDocuments().get(document) and FreeCAD.getDocument(document).getObject(name)
+    if page:
+        page.ViewObject.doubleClicked()
 
 
 def _bed_of(unfold):

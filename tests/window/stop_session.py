@@ -25,17 +25,25 @@ class Bar(QtGui.QProgressDialog):
     def __init__(self, parent):
         super().__init__(parent)
         self.said, self.gaps, self.last, self.clicked_at = [], [], None, ""
+        self.times = 0
         Bar.shown = self
 
     def setLabelText(self, text):
         """Called by the command."""
         super().setLabelText(text)
         now = time.process_time()
+        # Of work that is quick the first words are said before the dialog is shown.
+        self.times += text == self.WORDS
         if self.isVisible():
             self.said.append(text)
             self.gaps.append(now - (now if self.last is None else self.last))
         self.last = now
-        if not self.clicked_at and self.isVisible() and self.said.count(self.WORDS) == self.TIMES:
+        if (
+            not self.clicked_at
+            and self.isVisible()
+            and text == self.WORDS
+            and self.times == self.TIMES
+        ):
             self.clicked_at = text
             button = self.findChild(QtGui.QPushButton)
             at = button.mapToGlobal(button.rect().center()) * button.devicePixelRatioF()
