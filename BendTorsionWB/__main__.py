@@ -3,24 +3,48 @@
 
 from __future__ import annotations
 
+import atexit
+import os
 import sys
+from contextlib import ExitStack, nullcontext, suppress
+
+from BendTorsionWB import interrupts
 
 STOPPED = "stopped; files already written are whole"
+INTERRUPTED = 130
 
 
 def _told(kind, problem, trace) -> None:
     """What Python prints of an exception nobody caught: one line of Ctrl-C."""
-    if issubclass(kind, KeyboardInterrupt):
+    if issubclass(kind, KeyboardInterrupt) or interrupts.asked():
         print(STOPPED, file=sys.stderr)
+        _leave()
     else:
         sys.__excepthook__(kind, problem, trace)
 
 
+def _swallowed(raised) -> None:
+    """What Python prints of an exception that cannot be raised: an interrupt is, later on."""
+    if not issubclass(raised.exc_type, KeyboardInterrupt):
+        sys.__unraisablehook__(raised)
+
+
+def _leave() -> None:
+    """End with the exit code of an interrupt. By itself Python ends by the signal when FreeCAD has
+    swallowed one in Python it ran."""
+    atexit._run_exitfuncs()
+    with suppress(OSError):
+        sys.stdout.flush()
+        sys.stderr.flush()
+    os._exit(INTERRUPTED)
+
+
 if __name__ == "__main__":
     # Before the imports below: they take a moment, in which Ctrl-C may come.
-    sys.excepthook = _told
+    sys.excepthook, sys.unraisablehook = _told, _swallowed
+    ExitStack().enter_context(interrupts.heard())
 
-import os  # noqa: E402
+import logging  # noqa: E402
 import traceback  # noqa: E402
 from importlib.util import find_spec  # noqa: E402
 
@@ -28,7 +52,9 @@ from BendTorsionWB import arguments, freecad_path  # noqa: E402
 from BendTorsionWB.console import Progress, print_findings  # noqa: E402
 from BendTorsionWB.core.collection import leave_to_the_end  # noqa: E402
 from BendTorsionWB.core.finding import BendTorsionError  # noqa: E402
+from BendTorsionWB.exchange.issued_folder import refuse_issued  # noqa: E402
 from BendTorsionWB.exchange.outside_files import outside_allowed  # noqa: E402
+from BendTorsionWB.standard_output import OutputLost, watched  # noqa: E402
 
 GOOD, FAILED, INVALID = 0, 1, 2
 
@@ -37,13 +63,41 @@ _progress = Progress()
 
 def main(given: list[str] | None = None) -> int:
     """Run the command line; returns 0 when all is good, 1 when members failed or files could not
-    be written, 2 when the schedule is invalid and nothing was written."""
+    be written, 2 when the schedule is invalid and nothing was written, 130 when it was told to
+    stop, 141 when what reads its output has closed it."""
+    try:
+        with interrupts.heard(), watched():
+            try:
+                code = _run(given)
+                interrupts.stop_if_asked()
+                return code
+            except KeyboardInterrupt:
+                _close_documents()
+                _progress.end()
+                print(STOPPED, file=sys.stderr)
+                return INTERRUPTED
+    except OutputLost as lost:
+        _close_documents()
+        return lost.told()
+
+
+def _close_documents() -> None:
+    """Whatever was being opened or made; each has a temporary folder."""
+    freecad = sys.modules.get("FreeCAD")
+    for name in list(freecad.listDocuments()) if freecad else ():
+        if name in freecad.listDocuments():
+            freecad.closeDocument(name)
+
+
+def _run(given: list[str] | None) -> int:
     options = arguments.parser().parse_args(given)
     # Qt orders XML attributes by a seed it draws at the start; files must not depend on it.
     os.environ.setdefault("QT_HASH_SEED", "0")
     freecad_path.append()
     try:
-        import FreeCAD  # noqa: F401
+        # What it runs of Python while it starts tells an interrupt as a fault of its own.
+        with interrupts.to_the_end():
+            import FreeCAD  # noqa: F401
     except ImportError:
         print(freecad_path.missing(), file=sys.stderr)
         return INVALID
@@ -55,17 +109,28 @@ def main(given: list[str] | None = None) -> int:
                 file=sys.stderr,
             )
             return INVALID
+    log = logging.getLogger("BendTorsionWB")
+    log.setLevel(logging.DEBUG if options.debug else logging.NOTSET)
+    log.handlers = [logging.StreamHandler()] if options.debug else []
     _progress.quiet = getattr(options, "quiet", False)
     try:
+        held = options.command in _AT_DOCUMENTS
+        for place in _places(options):
+            refuse_issued(place)
         with outside_allowed(getattr(options, "outside_files", False)):
-            return _COMMANDS[options.command](options)
+            with interrupts.to_the_end() if held else nullcontext():
+                return _COMMANDS[options.command](options)
     except BendTorsionError as problem:
+        # What an interrupt left half done may be told as a fault.
+        interrupts.stop_if_asked()
         _progress.end()
         for finding in problem.findings:
-            print(finding.line(), file=sys.stderr)
+            if finding.severity == "error" or not _progress.quiet:
+                print(finding.line(), file=sys.stderr)
         unwritten = any(finding.code == "file-not-written" for finding in problem.findings)
         return FAILED if unwritten else INVALID
     except Exception as problem:  # noqa: BLE001 - the last fence before the user
+        interrupts.stop_if_asked()
         _progress.end()
         if options.debug:
             traceback.print_exc()
@@ -75,10 +140,14 @@ def main(given: list[str] | None = None) -> int:
             file=sys.stderr,
         )
         return FAILED
-    except KeyboardInterrupt:
-        _progress.end()
-        print(STOPPED, file=sys.stderr)
-        return 130
+
+
+def _places(options) -> list[str]:
+    """Where a command writes; `issue` itself makes issues."""
+    if options.command == "issue":
+        return []
+    named = (getattr(options, "out", ""), getattr(options, "report", ""))
+    return [place for place in named if place]
 
 
 def _wanted(options):
@@ -255,7 +324,9 @@ def _check(options) -> int:
 
     schedule, jobs, found = project.read_project(options.schedule, options.only)
     with workers_for(options.jobs, len(jobs)) as executor:
-        detailed, lost = project.detail_members(schedule, jobs, executor, _progress)
+        detailed, lost = project.detail_members(
+            schedule, jobs, executor, _progress, of_files=found.findings
+        )
     _progress.end()
     findings = [*lost, *(f for item in detailed.values() for f in item.record.findings)]
     findings += found.findings
@@ -286,9 +357,14 @@ _COMMANDS = {
     "repair": _repair,
     "check": _check,
 }
+_AT_DOCUMENTS = ("diff", "export", "report", "new", "support", "repair")
+"""Commands that open documents; `build` and `update` do so in parts only."""
 
 
 if __name__ == "__main__":
     code = main()
+    interrupts.hear_no_more()
     leave_to_the_end()
+    if code == INTERRUPTED:
+        _leave()
     sys.exit(code)

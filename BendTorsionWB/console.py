@@ -8,9 +8,12 @@ import time
 from collections.abc import Callable, Iterable
 
 from BendTorsionWB.core.finding import Finding
+from BendTorsionWB.interrupts import stop_if_asked
 
 SHOWN_WARNINGS = 8
-LEAST_TOLD = 5.0
+TOLD_NOTES = ("file-read", "split-kept")
+"""Codes of notes that are printed; others are in the reports alone."""
+LEAST_TOLD = 2.0
 """Seconds of remaining time below which none is shown."""
 
 
@@ -23,7 +26,8 @@ class Progress:
         self.what, self.width, self.began, self.from_ = "", 0, 0.0, 0
 
     def __call__(self, what: str, done: int, count: int) -> None:
-        """Show that `done` of `count` things are done in a stage."""
+        """Show that `done` of `count` things are done in a stage, and stop here when asked to."""
+        stop_if_asked()
         if self.quiet:
             return
         new = what != self.what
@@ -59,8 +63,8 @@ def print_findings(
     quiet: bool = False,
     length: Callable[[float], str] | None = None,
 ) -> None:
-    """Errors, the unit and size of each file read, then the first warnings, those about files, axes
-    and surfaces before the others; length: as of `Finding.line`."""
+    """Errors, the unit and size of each file read and a split kept, then the first warnings, those
+    about files, axes and surfaces before the others; length: as of `Finding.line`."""
     findings = list(findings)
     for finding in findings:
         if finding.severity == "error":
@@ -68,7 +72,7 @@ def print_findings(
     if quiet:
         return
     for finding in findings:
-        if finding.code == "file-read":
+        if finding.code in TOLD_NOTES:
             print(finding.line(length), file=sys.stderr)
     warnings = sorted(
         (f for f in findings if f.severity == "warning"),

@@ -12,6 +12,7 @@ from BendTorsionWB.core.patterns.layer_names import named_layers
 from BendTorsionWB.exchange.schedule_end_cuts import EndCutCell
 from BendTorsionWB.exchange.schedule_jobs import PARTS, job_of
 from BendTorsionWB.exchange.schedule_rows import AxisRow, MemberRow, Schedule
+from BendTorsionWB.interrupts import stop_if_asked
 from BendTorsionWB.source_files import faces_of, read_files
 
 
@@ -32,6 +33,7 @@ def build_document(
     everyone = {**jobs, **_met_elsewhere(schedule, jobs)}
     with equal_labels():
         for name, job in everyone.items():
+            stop_if_asked()
             row = schedule.member(name)
             axis_row = schedule.axis(row.axis)
             surface = axis_row.surface

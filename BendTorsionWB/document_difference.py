@@ -3,127 +3,81 @@
 
 from __future__ import annotations
 
-import hashlib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
+from BendTorsionWB.document_objects import (
+    NAMED,
+    all_objects_of,
+    divided,
+    documents_of,
+    inputs_of,
+    key_of,
+    kind_of,
+    objects_of,
+    owner_of,
+    same,
+    value_of,
+)
+from BendTorsionWB.document_pairs import counterparts
 from BendTorsionWB.exchange.difference import Change
 from BendTorsionWB.exchange.renames import Key, Reference, renames
 from BendTorsionWB.objects.proxy import type_of
 
-FILE_SHAPE = "Shape"
-"""The one property of a shape that was read from a file."""
-FACES = ("AutoJoints", "AutoLanes")
-"""Properties that name faces; their order says nothing."""
-EXACT_TO = 1e-12
-"""Relative difference below which two numbers are the same: what degrees and radians cost."""
 
-
-def kind_of(obj) -> str:
-    """The kind of an object of ours: its BT_Type, `File` for a shape read from a file; empty for
-    every other, and for the parts of drawing pages, which follow their sheet set."""
-    kind = type_of(obj)
-    if kind in ("PageOutlines", "PageSymbol"):
-        return ""
-    if not kind and obj.TypeId == "Part::Feature" and "FromSchedule" in obj.PropertiesList:
-        return "File"
-    return kind
-
-
-def objects_of(document) -> dict[tuple[str, str], object]:
-    """Our objects by kind and name, in the order of the document."""
-    found = {}
-    for obj in document.Objects:
-        if kind_of(obj):
-            found.setdefault(key_of(obj), obj)
-    return found
-
-
-def key_of(obj) -> Key:
-    """Kind and name of an object: that of its row, or its label where it has none."""
-    return kind_of(obj), getattr(obj, "FromSchedule", "") or obj.Label
-
-
-def inputs_of(obj) -> tuple[str, ...]:
-    """Names of the properties an object is made from."""
-    if kind_of(obj) == "File":
-        return ("Label", FILE_SHAPE)
-    return ("Label", *(item.name for item in obj.Proxy.declared(obj) if not item.output))
-
-
-def value_of(obj, name: str):
-    """A property as plain values: quantities as numbers in FreeCAD's units, links by label, names
-    of faces in alphabetical order."""
-    if name in FACES:
-        return tuple(sorted(getattr(obj, name, ())))
-    if name == FILE_SHAPE:
-        return hashlib.sha256(obj.Shape.exportBrepToString().encode()).hexdigest()[:12]
-    return _plain(getattr(obj, name, None))
-
-
-def _plain(value):
-    if value is None or isinstance(value, (str, bool, int, float)):
-        return value
-    if hasattr(value, "Label"):
-        return value.Label
-    if hasattr(value, "UserString"):
-        return value.Value
-    if hasattr(value, "x"):
-        return (value.x, value.y, value.z)
-    if isinstance(value, (tuple, list)):
-        return tuple(_plain(item) for item in value)
-    return str(value)
-
-
-def same(one, other) -> bool:
-    """Whether two plain values are equal, numbers to EXACT_TO of their size."""
-    if isinstance(one, (tuple, list)) and isinstance(other, (tuple, list)):
-        return len(one) == len(other) and all(map(same, one, other))
-    numbers = (int, float)
-    if isinstance(one, numbers) and isinstance(other, numbers):
-        return abs(one - other) <= EXACT_TO * max(abs(one), abs(other), 1.0)
-    return one == other
-
-
-def document_changes(before, after) -> tuple[Change, ...]:
-    """What changed from one document to another. Links count by label, results not at all."""
+def document_changes(before, after, by_label: bool = False) -> tuple[Change, ...]:
+    """What changed from one document, or split model, to another. Links count by label, results
+    not at all. by_label: the other was made of what was written of the first. Raises
+    BendTorsionError as `counterparts`."""
     old, new = objects_of(before), objects_of(after)
-    gone = {key: obj for key, obj in old.items() if key not in new}
-    came = {key: obj for key, obj in new.items() if key not in old}
-    renamed = renamed_objects(gone, came)
+    copies = [all_objects_of(documents_of(model)) for model in (before, after)]
+    in_parts = any(len(documents_of(model)) > 1 for model in (before, after))
+    paired = counterparts(old, new, by_label)
+    stayed = set(paired.values())
+    gone = {key: obj for key, obj in old.items() if key not in stayed}
+    came = {key: obj for key, obj in new.items() if key not in paired}
+    renamed = renamed_objects(gone, came, {was: key[1] for key, was in paired.items()})
     changes = [
-        Change("renamed", kind, name, "", was, name, members_of([new[kind, name]]))
+        Change("renamed", kind, name, "", was, name, members_of(copies[1][kind, name]))
         for (kind, was), name in renamed.items()
     ]
     told = {*renamed, *((kind, name) for (kind, _), name in renamed.items())}
-    changes += [_whole("removed", obj) for key, obj in gone.items() if not told & _keys(key, obj)]
+    changes += [
+        _whole("removed", copies[0][key]) for key, obj in gone.items() if not told & _keys(key, obj)
+    ]
+    labels = {(key[0], old[was].Label): new[key].Label for key, was in paired.items()}
     for key, obj in new.items():
-        if key not in old:
-            changes += [] if told & _keys(key, obj) else [_whole("added", obj)]
+        if key not in paired:
+            changes += [] if told & _keys(key, obj) else [_whole("added", copies[1][key])]
             continue
-        for name in dict.fromkeys((*inputs_of(old[key]), *inputs_of(obj))):
-            one, other = value_of(old[key], name), value_of(obj, name)
-            if not same(one, other):
-                changes.append(Change("changed", *key, name, one, other, member=members_of([obj])))
+        was = old[paired[key]]
+        follows = key != paired[key]
+        title = obj.Label if follows else key[1]
+        for name in dict.fromkeys((*inputs_of(was), *inputs_of(obj))):
+            if in_parts and divided(obj, name):
+                sides = (copies[0][paired[key]], labels), (copies[1][key], {})
+                one, other = (_joined(own, name, called) for own, called in sides)
+            else:
+                one, other = value_of(was, name, labels), value_of(obj, name)
+            # Of a row under another name it is known by its label, or named after what is.
+            if same(one, other) or (name == "Label" and (follows or _same_rest(was, obj))):
+                continue
+            what = "renamed" if name == "Label" and key[0] in NAMED else "changed"
+            members = members_of(copies[1][key])
+            changes.append(Change(what, key[0], title, name, one, other, member=members))
     return tuple(changes)
 
 
-_NAMED = ("File", "Surface", "SectionSpec", "Axis", "Member")
-"""Kinds with rows of their own, each after those its objects link to."""
-_TO_MEMBER = {
-    "PlateSet": ("Member",),
-    "Unfold": ("Plates", "Member"),
-    "AssemblyBed": ("Plates", "Member"),
-    "SheetSet": ("Unfold", "Plates", "Member"),
-}
-"""By kind of what is made of one member: the links that lead to it."""
+def _joined(copies: Iterable, name: str, labels: Mapping[Key, str]) -> tuple:
+    """What of a model is in each of its documents, together, in alphabetical order."""
+    return tuple(sorted({one for obj in copies for one in value_of(obj, name, labels)}))
 
 
-def owner_of(obj):
-    """The member a plate set, patterns, a bed or sheets belong to; the object itself otherwise."""
-    link = obj
-    for name in _TO_MEMBER.get(kind_of(obj), ()):
-        link = getattr(link, name, None)
-    return obj if link is None else link
+def _same_rest(one, other) -> bool:
+    """Whether two objects named after others are named alike but for these."""
+    owners = owner_of(one), owner_of(other)
+    return owners != (one, other) and (
+        one.Label.removeprefix(owners[0].Label) == other.Label.removeprefix(owners[1].Label)
+    )
 
 
 def _keys(key: Key, obj) -> set[Key]:
@@ -132,17 +86,19 @@ def _keys(key: Key, obj) -> set[Key]:
     return {key} if owner == obj else {key, key_of(owner)}
 
 
-def renamed_objects(gone: Mapping[Key, object], came: Mapping[Key, object]) -> dict[Key, str]:
+def renamed_objects(
+    gone: Mapping[Key, object], came: Mapping[Key, object], known: Mapping[Key, str]
+) -> dict[Key, str]:
     """The new name of each object that is gone while one came with the same content under another
-    name; a member's with its plates, patterns and bed."""
-    return renames(_contents(gone), _contents(came), _NAMED)
+    name; a member's with its plates, patterns and bed. known: the names of those that stayed."""
+    return renames(_contents(gone), _contents(came), NAMED, known)
 
 
 def _contents(objects: Mapping[Key, object]) -> dict[Key, dict]:
     found: dict[Key, dict] = {}
     for key, obj in objects.items():
         owner = owner_of(obj)
-        if kind_of(owner) not in _NAMED or kind_of(obj) == "SheetSet":
+        if kind_of(owner) not in NAMED or kind_of(obj) == "SheetSet":
             continue
         whose = key if owner == obj else key_of(owner)
         # Of a member that stays, what changed hands or names is no rename of the member.
@@ -162,8 +118,8 @@ def _contents(objects: Mapping[Key, object]) -> dict[Key, dict]:
     return found
 
 
-def _whole(what: str, obj) -> Change:
-    return Change(what, kind_of(obj), obj.Label, member=members_of([obj]))
+def _whole(what: str, copies: Sequence) -> Change:
+    return Change(what, kind_of(copies[0]), copies[0].Label, member=members_of(copies))
 
 
 def members_of(objects: Iterable) -> str:

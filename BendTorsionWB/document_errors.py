@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from BendTorsionWB.core.finding import BETWEEN, Finding
-from BendTorsionWB.document_difference import owner_of
+from BendTorsionWB.document_objects import owner_of
 from BendTorsionWB.objects.proxy import findings_of, type_of
 
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -11,37 +12,40 @@ from pathlib import Path
 import FreeCAD
 
 from BendTorsionWB import __version__
+from BendTorsionWB.combined_files import CombinedFiles
 from BendTorsionWB.core import detailing
 from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
 from BendTorsionWB.core.lofting import DevelopedPlate, MemberRecord, failed_record
 from BendTorsionWB.core.nodes.node_jobs import all_records
 from BendTorsionWB.core.nodes.node_record import NodeRecord
-from BendTorsionWB.core.parallel import workers_for
+from BendTorsionWB.core.parallel import Workers, workers_for
 from BendTorsionWB.core.patterns.layer_names import layer_names
 from BendTorsionWB.core.patterns.numbering import numbered
 from BendTorsionWB.core.patterns.strain_map import StrainMap, strain_map
 from BendTorsionWB.core.stages import MemberGeometry
 from BendTorsionWB.core.welds.landed_marks import with_landed_marks
 from BendTorsionWB.document_errors import told_of_members
+from BendTorsionWB.document_left_out import without_patterns
 from BendTorsionWB.document_nodes import nodes_told
 from BendTorsionWB.document_settings import style_in
 from BendTorsionWB.document_update import open_document
 from BendTorsionWB.exchange import report, results_workbook
 from BendTorsionWB.exchange.file_kind import FIGURES, check_ending
 from BendTorsionWB.exchange.folder_lock import locked
+from BendTorsionWB.exchange.issued_folder import refuse_issued
+from BendTorsionWB.exchange.known_hashes import file_hash
 from BendTorsionWB.exchange.nc1_text import text_findings
 from BendTorsionWB.exchange.output_folder import (
     OutputFolder,
     check_folder,
     check_project,
-    file_hash,
     read_manifest,
 )
 from BendTorsionWB.exchange.result_cache import key_of
 from BendTorsionWB.exchange.schedule_cells import BadCell, Name
-from BendTorsionWB.member_files import member_files, start_all
-from BendTorsionWB.members_left_out import LeftOut, left_out
+from BendTorsionWB.member_files import member_files, start_all, write_member_files
+from BendTorsionWB.members_left_out import LeftOut, check_named, left_out
 from BendTorsionWB.model_files import IFC, STEP, checked_recompute
 from BendTorsionWB.objects import assembly_bed, plate_set
 from BendTorsionWB.objects.proxy import type_of
@@ -54,11 +58,10 @@ from BendTorsionWB.project import (
     detail_members,
     read_project,
     silent,
-    write_member_files,
 )
 from BendTorsionWB.report_files import write_reports
 from BendTorsionWB.sheet_files import write_sheet_set
-from BendTorsionWB.solid_files import write_ifc, write_step
+from BendTorsionWB.solid_files import StepFiles, write_ifc
 
 
 @dataclass(frozen=True)
@@ -77,7 +80,8 @@ class DocumentRecords:
 
 def records_of(document, only: Sequence[str] = ()) -> DocumentRecords:
     """Recompute a document and collect the lofting record of every member with patterns; one in
-    error has no plates. Raises BendTorsionError when there is none, or for unknown names."""
+    error has no plates, one without patterns is told of. Raises BendTorsionError when there is
+    none, or for unknown names."""
     findings = told_of_members(document, checked_recompute(document))
     kinds: dict[str, list] = {}
     for obj in document.Objects:
@@ -103,9 +107,9 @@ def records_of(document, only: Sequence[str] = ()) -> DocumentRecords:
             record = failed_record(name, problem.findings)
             keys[name] = ""
         records[name] = record
+    findings += without_patterns(document, only)
     findings += _clashes(geometry, kinds.get("Node", ()))
-    for name in records:
-        own = report.of_member(name, findings)
+    for name, own in report.of_members(records, findings).items():
         if has_error(own):
             records[name] = failed_record(name, own)
     records = _as_written(records)
@@ -119,26 +123,14 @@ def records_of(document, only: Sequence[str] = ()) -> DocumentRecords:
 
 def _check_known(document, only: Sequence[str], records: Container[str]) -> None:
     """Raises BendTorsionError for names that are of no member, and where there is no member."""
-    if not records:
+    members = [obj.Label for obj in document.Objects if type_of(obj) == "Member"]
+    check_named(document.Label, only, members)
+    bare = [name for name in only if name not in records]
+    if bare or not records:
+        told = "has no flat patterns" if bare else "no member of the document has flat patterns"
+        mend = "give its members plates and flat patterns, or open another document"
         raise BendTorsionError(
-            error(
-                "member-unknown",
-                document.Label,
-                "no member of the document has flat patterns",
-                "give its members plates and flat patterns, or open another document",
-            )
-        )
-    missing = [name for name in only if name not in records]
-    if missing:
-        raise BendTorsionError(
-            error(
-                "member-unknown",
-                document.Label,
-                f"no member {name!r} with patterns in the document",
-                "use labels of its members",
-                value=name,
-            )
-            for name in missing
+            error("member-unknown", name, told, mend) for name in bare or [document.Label]
         )
 
 
@@ -178,8 +170,7 @@ def source_records(
     with workers_for(workers, len(jobs)) as executor:
         detailed, lost = detail_members(schedule, jobs, executor, progress)
     records = {}
-    for name in jobs:
-        own = report.of_member(name, (*lost, *found.findings))
+    for name, own in report.of_members(jobs, (*lost, *found.findings)).items():
         healthy = name in detailed and not has_error(own)
         records[name] = detailed[name].record if healthy else failed_record(name, own)
     records = _as_written(records)
@@ -193,6 +184,7 @@ def write_figures(given: DocumentRecords, path: str | os.PathLike) -> None:
     """Write the figures as the results workbook (.xlsx), or as report.json when the name ends in
     .json. Raises BendTorsionError, for another ending too."""
     check_ending(path, FIGURES)
+    refuse_issued(path)
     records = tuple(given.records.values())
     if Path(path).suffix.lower() == ".json":
         report.write_report(records, given.findings, __version__, path, given.nodes)
@@ -278,15 +270,16 @@ def export_document(
     whole project where their files in the folder are as in the document, and named otherwise."""
     out = Path(out)
     check_folder(out)
-    with locked(out):
-        return _export(path, out, only, workers, progress, sheets, force, svg)
+    # However many members it holds: threads of the document would not survive a fork.
+    with locked(out), workers_for(workers, sys.maxsize) as executor:
+        return _export(path, out, only, executor, progress, sheets, force, svg)
 
 
 def _export(
     path: str | os.PathLike,
     out: Path,
     only: Sequence[str],
-    workers: int | None,
+    executor: Workers | None,
     progress: Progress,
     sheets: bool,
     force: bool,
@@ -314,37 +307,37 @@ def _export(
             _check_names(given.records)
             files = [f for f in files if f.member in given.records]
         healthy = {name for name, record in given.records.items() if record.plates}
-        with workers_for(workers, len(healthy)) as executor:
-            todo = [f for f in files if f.member in healthy and not folder.has(f.name, f.made_from)]
-            made = start_all(todo, executor)
+        todo = [f for f in files if f.member in healthy and not folder.has(f.name, f.made_from)]
+        made, steps = start_all(todo, executor), StepFiles(folder, None, executor)
+        if healthy:
             with timing.stage("step"):
-                if healthy:
-                    folder.begin(STEP)
-                    write_step(document, sorted(healthy), out / STEP, executor)
-                    folder.wrote(STEP, "")
-                    own, titles = given.records, given.titles
-                    folder.begin(IFC)
-                    write_ifc(
-                        document, sorted(healthy), own, titles.site, titles.project, out / IFC
-                    )
-                    folder.wrote(IFC, "")
-            with timing.stage("files"):
-                write_member_files(folder, files, made, healthy, progress)
-            records = tuple(given.records.values())
-            if sheets:
-                given_keys = list(given.keys.values())
-                write_sheet_set(folder, records, given_keys, given.titles, svg)
-            with timing.stage("package"):
-                behind = Background(_uncertainties(document, healthy), _strain_maps(document))
-                keys = list(given.keys.values())
-                write_package(
-                    folder, records, given.findings, keys, given.titles, behind, nodes=given.nodes
-                )
+                steps.start(document, sorted(healthy), STEP, "")
+            with timing.stage("ifc"):
+                own, titles = given.records, given.titles
+                folder.begin(IFC)
+                write_ifc(document, sorted(healthy), own, titles.site, titles.project, out / IFC)
+                folder.wrote(IFC, "")
+        with timing.stage("files"):
+            write_member_files(folder, files, made, healthy, progress)
+        with timing.stage("step"):
+            steps.write(wait=True)
+        records = tuple(given.records.values())
+        if sheets:
+            given_keys = list(given.keys.values())
+            write_sheet_set(folder, records, given_keys, given.titles, svg)
+        with timing.stage("package"):
+            behind = Background(_uncertainties(document, healthy), _strain_maps(document))
+            keys = list(given.keys.values())
+            combined = CombinedFiles(folder, executor)
+            told, titles, nodes = given.findings, given.titles, given.nodes
+            write_package(folder, records, told, keys, titles, behind, combined, nodes, progress)
+            combined.finish(progress)
     finally:
         FreeCAD.closeDocument(document.Name)
     with timing.stage("results"):
         keys, titles = list(given.keys.values()), given.titles
-        write_reports(folder, records, given.findings, keys, titles, titles.site, given.nodes)
+        told, nodes = given.findings, given.nodes
+        write_reports(folder, records, told, keys, titles, titles.site, nodes, progress)
         known = report.all_findings(records, given.findings)
         refused = given.records.keys() - healthy
         outdated = folder.close(left.members, left.outdated, refused, known)

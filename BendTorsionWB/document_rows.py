@@ -20,9 +20,10 @@ from BendTorsionWB.core.axes.axis_rule import curve_by_rule
 from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.geometry.curve_edit import turned
 from BendTorsionWB.core.rules import node_rules
+from BendTorsionWB.core.written_number import per_cent, plain
 from BendTorsionWB.document_settings import rows_in, style_in, style_settings
 from BendTorsionWB.exchange.file_name import file_name
-from BendTorsionWB.exchange.kept_rows import add_kept
+from BendTorsionWB.exchange.kept_rows import add_kept, kept_settings
 from BendTorsionWB.exchange.schedule_columns import FIRST_SEGMENT_COLUMNS, SETTINGS, SHEETS
 from BendTorsionWB.exchange.schedule_end_cuts import CUT_COLUMNS
 from BendTorsionWB.exchange.schedule_sections import TAKEN
@@ -59,7 +60,7 @@ def rows_of(document, files: Path) -> dict[str, list[list]]:
     kinds: dict[str, list] = {}
     for obj in document.Objects:
         kinds.setdefault(type_of(obj), []).append(obj)
-    settings = _settings(kinds, style_in(document))
+    settings = kept_settings(rows_in(document)) | _settings(kinds, style_in(document))
     materials: dict[str, tuple] = {}
     cells: dict[str, list[dict]] = {
         "Settings": [{"key": key, "value": value} for key, value in settings.items()],
@@ -90,7 +91,12 @@ def rows_of(document, files: Path) -> dict[str, list[list]]:
         {"material": name, "density": density, "E": e, "fy": fy}
         for name, (density, e, fy) in materials.items()
     ]
-    add_kept(cells, rows_in(document))
+    relabelled = {
+        obj.FromSchedule: obj.Label
+        for obj in kinds.get("Member", ())
+        if getattr(obj, "FromSchedule", "") not in ("", obj.Label)
+    }
+    add_kept(cells, rows_in(document), relabelled)
     return {
         sheet: _table(sheet, cells.get(sheet, ()))
         for sheet in SHEETS
@@ -233,7 +239,7 @@ def _is_turned(given: AxisInput, surface) -> bool:
 def _places(places: list[float]) -> list:
     """Places of a table as cells: ratios, when none is above 1, in per cent."""
     is_ratio = bool(places) and max(places) <= 1.0
-    return [f"{place * 100.0!r}%" if is_ratio else place for place in places]
+    return [per_cent(place) if is_ratio else place for place in places]
 
 
 def _brep(obj, shape, files: Path) -> str:
@@ -290,7 +296,7 @@ def _member(obj, kinds, cells: dict[str, list[dict]], settings: Mapping) -> None
         for user in kinds.get(kind, ())
         if plates is not None and plates in user.OutListRecursive
     ]
-    default_slope = SETTINGS["default_slope"].default
+    default_slope = settings.get("default_slope", SETTINGS["default_slope"].default)
     for k in range(1, obj.Segments + 1):
         section = linked(obj, f"Section{k}", "SectionSpec")
         row = {"member": obj.Label, "segment": k, "section": section.Label}
@@ -335,7 +341,9 @@ def _node(obj) -> dict | None:
     if obj.ThroughBy == "rank" and found.pop("gap") == usual and not any(found.values()):
         return None
     names = {"node": obj.Node or None, "through": through.Label, "other": other.Label}
-    return {**names, "s": obj.Place.Value or None, **found, "gap": obj.Gap.Value}
+    # Where the two were found to meet; the row only says which of several meetings it is.
+    place = float(f"{obj.Place.Value:.10g}") or None
+    return {**names, "s": place, **found, "gap": obj.Gap.Value}
 
 
 def _found(obj, chain, column: str, k: int):
@@ -359,11 +367,11 @@ def _cut(obj, k: int):
     ratio, offset = getattr(obj, f"CutRatio{k}"), getattr(obj, f"CutOffset{k}").Value
     by = getattr(obj, f"CutBy{k}")
     if by == "place" and ratio and not offset:
-        return f"{ratio * 100.0!r}%"
+        return per_cent(ratio)
     if by == "place" and not offset:
         return getattr(obj, f"Cut{k}").Value
     place, is_ratio = cut_of(obj, k, axis_object.value(obj.Axis))
-    return f"{place * 100.0!r}%" if is_ratio else place
+    return per_cent(place) if is_ratio else plain(place)
 
 
 def _splits(obj, plates) -> list[dict]:

@@ -7,7 +7,7 @@ property by property; only what differs is written, so that a recompute reaches 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -16,24 +16,25 @@ import FreeCAD
 from BendTorsionWB.core.detailing import MemberJob
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error, warning
 from BendTorsionWB.document import build_document, equal_labels, mark_from_schedule
-from BendTorsionWB.document_difference import (
+from BendTorsionWB.document_difference import members_of, renamed_objects
+from BendTorsionWB.document_objects import (
+    follows,
     inputs_of,
     key_of,
     kind_of,
-    members_of,
     objects_of,
     owner_of,
-    renamed_objects,
     same,
     value_of,
 )
+from BendTorsionWB.document_pairs import counterparts
 from BendTorsionWB.document_settings import keep_rows, keep_style, rows_in, style_in
 from BendTorsionWB.exchange.difference import Change
 from BendTorsionWB.exchange.file_kind import DOCUMENT, check_ending, refuse_loop
 from BendTorsionWB.exchange.linked_documents import linked_documents, refuse_linked
 from BendTorsionWB.exchange.renames import Key
 from BendTorsionWB.exchange.schedule_rows import Schedule
-from BendTorsionWB.interrupts import to_the_end
+from BendTorsionWB.interrupts import stop_if_asked, to_the_end
 from BendTorsionWB.objects import sheet as sheet_object
 from BendTorsionWB.objects.preference import without_faces
 from BendTorsionWB.objects.proxy import add_property
@@ -81,6 +82,9 @@ class Update:
         keep_style(document, style_in(template))
         keep_rows(document, rows_in(template))
         wanted, present = objects_of(template), objects_of(document)
+        paired = counterparts(present, wanted)
+        with equal_labels():
+            self._follow(wanted, present, paired, sheets)
         new = [key for key in wanted if key not in present]
         gone = {
             key: obj
@@ -88,21 +92,41 @@ class Update:
             if key not in wanted
             and not self.partial
             and getattr(obj, "FromSchedule", "")
-            and (sheets or key[0] not in DRAWN)
+            and (sheets or key[0] not in DRAWN or _is_idle(obj, wanted))
         }
-        renamed = renamed_objects(gone, {key: wanted[key] for key in new})
+        known = {was: key[1] for key, was in paired.items()}
+        renamed = renamed_objects(gone, {key: wanted[key] for key in new}, known)
+        told = {obj.Label for obj in (*gone.values(), *(wanted[key] for key in new))}
         with equal_labels():
             for key in new:
                 present[key] = _created(document, wanted[key])
                 self.changes.append(Change("added", *key, member=members_of([wanted[key]])))
             for key, model in wanted.items():
-                self._copy(model, present[key], present, key in new)
+                stop_if_asked()
+                self._copy(model, present[key], present, key in new, told)
         for (kind, was), name in renamed.items():
             members = members_of([present[kind, name]])
             self.changes.append(Change("renamed", kind, name, "", was, name, members))
         self._remove(document, list(gone.values()), renamed)
 
-    def _copy(self, model, obj, present, is_new: bool) -> None:
+    def _follow(self, wanted, present, paired: Mapping[Key, Key], sheets: bool) -> None:
+        """Give objects with other labels by hand the rows of these, and what is named after one its
+        name: the sheets of a member, too, where the template has none."""
+        following = {key: was for key, was in paired.items() if key != was}
+        drawn = {} if sheets else _sheets_of(following, present)
+        # Taken out before any is put in: two may have each other's names.
+        moved = {key: present.pop(was) for key, was in (following | drawn).items()}
+        present.update(moved)
+        for key, was in following.items():
+            obj = moved[key]
+            _rename(obj, key[1], wanted[key].Label)
+            if owner_of(obj) == obj and kind_of(obj) not in ("File", "Node"):
+                members = members_of([obj])
+                self.changes.append(Change("renamed", *key, "Label", was[1], key[1], members))
+        for key in drawn:
+            _rename(moved[key], key[1], key[1])
+
+    def _copy(self, model, obj, present, is_new: bool, told: Collection[str]) -> None:
         if kind_of(model) != "File":
             for declared in model.Proxy.declared(model):
                 add_property(obj, declared)
@@ -126,7 +150,7 @@ class Update:
                 )
                 continue
             setattr(obj, name, _own(getattr(model, name), present))
-            if not is_new:
+            if not (is_new or follows(obj, name, before, after, told)):
                 self.changes.append(
                     Change(
                         "changed", kind_of(obj), obj.Label, name, before, after, members_of([obj])
@@ -173,14 +197,41 @@ class Update:
             document.removeObject(obj.Name)
 
 
+def _sheets_of(following: Mapping[Key, Key], present: Mapping[Key, object]) -> dict[Key, Key]:
+    """By the key they get: those of the sheets of members that follow another row."""
+    names = {was: key[1] for key, was in following.items()}
+    owners = {key: key_of(owner_of(obj)) for key, obj in present.items() if key[0] == "SheetSet"}
+    return {
+        (key[0], names[own] + key[1].removeprefix(own[1])): key
+        for key, own in owners.items()
+        if own in names
+    }
+
+
+def _rename(obj, row: str, label: str) -> None:
+    """Let an object follow a row of this name."""
+    obj.Label = label
+    if getattr(obj, "FromSchedule", ""):
+        obj.FromSchedule = row
+
+
+def _is_idle(obj, wanted: Mapping[Key, object]) -> bool:
+    """Whether there is nothing to draw on pages, whether or not any are wanted: sheets of a member,
+    and those of nodes."""
+    if kind_of(obj) == "NodeSheets":
+        return not any(kind == "Node" for kind, _ in wanted)
+    return kind_of(obj) == "SheetSet" and key_of(owner_of(obj)) not in wanted
+
+
 def open_document(path: Path):
     """A saved document, hidden; raises BendTorsionError for one that cannot be opened."""
     # FreeCAD would open what is no document too, such as a workbook, as a new one.
     check_ending(path, DOCUMENT)
     refuse_loop(path)
     refuse_linked(path)
+    stop_if_asked()
     try:
-        with without_faces():
+        with to_the_end(), without_faces():
             return FreeCAD.openDocument(str(path), hidden=True)
     except Exception as problem:
         raise BendTorsionError(

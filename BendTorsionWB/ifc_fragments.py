@@ -46,14 +46,16 @@ def member_fragment(
     solids: Mapping[str, Sequence[NamedSolid]],
     plates: Mapping[str, DevelopedPlate],
     cache: ResultCache | None = None,
+    content: str = "",
 ) -> IfcFragment:
-    """The fragment of a member. solids: by the mark of their assembly; plates: its, by mark. Raises
+    """The fragment of a member. solids: by the mark of their assembly; plates: its, by mark;
+    content: hash of the solids to the bit and whose they are, where it was taken before. Raises
     BendTorsionError naming a plate whose solid is not one shell, and where the disk is full."""
     project = project_name(project)
     solids = {mark: [o for o in own if o.mark in plates] for mark, own in solids.items()}
     if cache is None:
         return _made(project, member, solids, plates)
-    made_from = _made_from(project, member, solids, plates)
+    made_from = _made_from(project, member, solids, plates, content)
     kept = cache.find_plain(kept_key(member))
     if kept is not None and kept[0] == made_from:
         return _read(*kept[1:])
@@ -81,19 +83,20 @@ def _made(project, member, solids, plates) -> IfcFragment:
     )
 
 
-def _made_from(project, member, solids, plates) -> str:
+def _made_from(project, member, solids, plates, content) -> str:
     """A hash of all that a fragment tells."""
     from BendTorsionWB.shapes.step_text import kernel, solids_as_bytes
 
     every = [(mark, one) for mark, own in solids.items() for one in own]
     with in_temporary_folder(), to_the_end():
-        content = solids_as_bytes([one.solid for _, one in every])
+        if not content:
+            content = sha256(solids_as_bytes([one.solid for _, one in every])).hexdigest()
         made_by = kernel()
     told = [
         (mark, one.mark, one.colour, plates[one.mark].material, plate_facts(plates[one.mark]))
         for mark, one in every
     ]
-    return key_of(made_by, project, member, list(solids), told, sha256(content).hexdigest())
+    return key_of(made_by, project, member, list(solids), told, content)
 
 
 def _plain(made: IfcFragment) -> tuple:

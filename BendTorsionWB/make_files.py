@@ -20,7 +20,7 @@ from BendTorsionWB.document_templates import new_document
 from BendTorsionWB.model_files import checked_recompute
 from BendTorsionWB.objects.repair import repair as give_back
 from BendTorsionWB.objects.told import PROGRESS
-from BendTorsionWB.project import BuildResult, detail_members, read_jobs
+from BendTorsionWB.project import BuildResult, detail_members, read_project
 from BendTorsionWB.round_trip import write_back
 from BendTorsionWB.shapes.surface_files import shape_from_file
 from BendTorsionWB.support import write_bundle
@@ -30,8 +30,8 @@ def open_schedule(path: str | os.PathLike, sheets: bool = False):
     """A new document with the members of a schedule, recomputed; sheets: with drawing sheets.
     Raises BendTorsionError for an invalid schedule."""
     report = PROGRESS.get()
-    schedule, jobs = read_jobs(path)
-    _, lost = detail_members(schedule, jobs, progress=report)
+    schedule, jobs, found = read_project(path)
+    _, lost = detail_members(schedule, jobs, progress=report, of_files=found.findings)
     if lost:
         raise BendTorsionError(lost)
     document = build_document(schedule, jobs, sheets=sheets, hidden=False)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import BrokenExecutor, Executor, Future
+from concurrent.futures import Executor, Future
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -14,10 +14,12 @@ from weakref import WeakKeyDictionary
 from BendTorsionWB.core.drawings.sheet import Sheet
 from BendTorsionWB.core.drawings.sheet_layout import member_sheets
 from BendTorsionWB.core.drawings.sheet_style import SheetStyle
-from BendTorsionWB.core.finding import BendTorsionError
+from BendTorsionWB.core.finding import BETWEEN, BendTorsionError, error
 from BendTorsionWB.core.lofting import DevelopedPlate, MemberRecord
+from BendTorsionWB.core.parallel import done_or
 from BendTorsionWB.core.patterns.numbering import shared_marks
 from BendTorsionWB.exchange import dxf, nc1, report
+from BendTorsionWB.exchange.output_folder import OutputFolder
 from BendTorsionWB.exchange.result_cache import key_of
 from BendTorsionWB.exchange.template_dxf import template_dxf
 from BendTorsionWB.exchange.whole_file import in_temporary_folder
@@ -61,7 +63,7 @@ def record_key(key: str, record: MemberRecord) -> str:
     if key not in known:
         known[key] = key_of(
             key,
-            shared_marks(record),
+            repr(shared_marks(record)),
             [finding.line() for finding in record.findings],
             [weld.plates for weld in record.welds if weld.kind == "node"],
         )
@@ -75,7 +77,8 @@ def member_files(
     sheets: bool = True,
     layers: Mapping[str, Mapping[str, str]] | None = None,
 ) -> list[MemberFile]:
-    """The files of these members, sheets first. keys: of what the members come from; style: the
+    """The files of these members, sheets first; raises BendTorsionError where two would have one
+    name. keys: of what the members come from; style: the
     project's name, and how its sheets are drawn; sheets: whether they are; layers: by member, other
     names for layers of its DXF files."""
     keys = {name: record_key(keys[name], record) for name, record in records.items()}
@@ -102,7 +105,23 @@ def member_files(
         for board in [board for bed in record.beds for board in bed.templates]:
             file_name = report.template_name(board.name)
             files.append(MemberFile(file_name, name, keys[name], template_dxf, board))
+    _refuse_one_name(files)
     return files
+
+
+def _refuse_one_name(files: Sequence[MemberFile]) -> None:
+    """Raises BendTorsionError for files that would overwrite each other."""
+    owners: dict[str, str] = {}
+    found = []
+    for file in files:
+        # Some systems do not tell capital letters.
+        other = owners.setdefault(file.name.lower(), file.member)
+        if other != file.member:
+            both = BETWEEN.join((other, file.member))
+            message = f"both have a file {file.name}"
+            found.append(error("file-name-twice", both, message, "rename one of the members"))
+    if found:
+        raise BendTorsionError(found)
 
 
 def start_all(files: Sequence[MemberFile], executor: Executor | None) -> dict[str, Started | None]:
@@ -146,16 +165,34 @@ def _contents(files: Sequence[tuple[Callable, object]]) -> list[bytes | BendTors
 
 
 def written(file: MemberFile, started: Started | None) -> bytes:
-    """The content of a file; made here when the worker at it died. Raises what making it raised."""
-    if started is None:
+    """The content of a file; made here when the worker at it was lost. Raises what making it
+    raised."""
+    made = done_or(started.task, tuple) if started else ()
+    if not made:
         return file.write(file.given)
-    try:
-        content = started.task.result()[started.place]
-    except BrokenExecutor:
-        return file.write(file.given)
+    content = made[started.place]
     if isinstance(content, BendTorsionError):
         raise content
     return content
+
+
+def write_member_files(
+    folder: OutputFolder,
+    files: Sequence[MemberFile],
+    made: dict[str, Started | None],
+    healthy: set[str],
+    progress: Callable[[str, int, int], None],
+) -> None:
+    """Write the files that are being made, of healthy members, and let go of what made them; those
+    there already stay."""
+    wanted = [file for file in files if file.member in healthy]
+    for done, file in enumerate(wanted, start=1):
+        if file.name in made:
+            content = written(file, made.pop(file.name))
+            folder.write(file.name, content, file.made_from, file.member)
+        else:
+            folder.keep(file.name)
+        progress("sheets and cut files", done, len(wanted))
 
 
 def plate_nc1(given: tuple[DevelopedPlate, str]) -> bytes:

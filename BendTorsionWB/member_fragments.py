@@ -5,16 +5,20 @@ that a change of one member does not make those of all others again."""
 from __future__ import annotations
 
 from collections.abc import Mapping
-from concurrent.futures import BrokenExecutor, Executor, Future
+from concurrent.futures import Executor, Future
 from dataclasses import dataclass
+from functools import partial
 
 from BendTorsionWB.core.axes.axis_input import AxisInput
 from BendTorsionWB.core.detailing import MemberJob, uncertainty_of
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.geometry.surface import Surface
 from BendTorsionWB.core.lofting import MemberRecord
+from BendTorsionWB.core.parallel import done_or
 from BendTorsionWB.core.site import SiteDatum
+from BendTorsionWB.exchange.html_report import plate_rows
 from BendTorsionWB.exchange.patterns_picture import patterns_svg
+from BendTorsionWB.exchange.report import member_line
 from BendTorsionWB.exchange.result_cache import ResultCache, key_of
 from BendTorsionWB.exchange.results_workbook import member_rows
 from BendTorsionWB.exchange.xlsx_file import RowBlock
@@ -25,11 +29,14 @@ from BendTorsionWB.member_files import record_key
 @dataclass(frozen=True)
 class Fragment:
     """Rows of the workbook of results by table; the picture of all patterns; how far the axis is
-    uncertain, mm, None where its points cannot tell."""
+    uncertain, mm, None where its points cannot tell; the line in report.json; the rows of plates in
+    the HTML report."""
 
     rows: Mapping[str, RowBlock]
     patterns: str
     uncertainty: float | None
+    told: str
+    plates: str
 
 
 @dataclass(frozen=True)
@@ -88,10 +95,7 @@ class Fragments:
         return self._keep(name, fragment_of(self._given[name])) if plain is None else _read(plain)
 
     def _done(self, name: str, future: Future) -> Fragment:
-        try:
-            return self._keep(name, future.result())
-        except BrokenExecutor:
-            return self._keep(name, fragment_of(self._given[name]))
+        return self._keep(name, done_or(future, partial(fragment_of, self._given[name])))
 
     def _keep(self, name: str, made: Fragment) -> Fragment:
         self._cache.keep_plain(self.keys[name], _plain(made))
@@ -106,19 +110,18 @@ def fragment_of(given: _Given) -> Fragment:
         # Too few points for two axes: nothing can be told, and the axis itself was good.
         uncertainty = None
     rows = member_rows(given.record, given.site)
-    return Fragment(rows, patterns_svg(given.record, given.highest), uncertainty)
+    patterns = patterns_svg(given.record, given.highest)
+    told, plates = member_line(given.record), plate_rows(given.record)
+    return Fragment(rows, patterns, uncertainty, told, plates)
 
 
 def _plain(made: Fragment) -> tuple:
     """As plain values, which are all a cache reads."""
     rows = {name: (own.count, *vars(own.packed).values()) for name, own in made.rows.items()}
-    return rows, made.patterns, made.uncertainty
+    return rows, made.patterns, made.uncertainty, made.told, made.plates
 
 
 def _read(plain: tuple) -> Fragment:
-    rows, patterns, uncertainty = plain
-    return Fragment(
-        {name: RowBlock(count, Packed(*own)) for name, (count, *own) in rows.items()},
-        patterns,
-        uncertainty,
-    )
+    rows, *rest = plain
+    rows = {name: RowBlock(count, Packed(*own)) for name, (count, *own) in rows.items()}
+    return Fragment(rows, *rest)

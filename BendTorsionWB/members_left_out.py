@@ -11,8 +11,9 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from BendTorsionWB.core.detailing import MemberJob
-from BendTorsionWB.core.finding import BETWEEN, BendTorsionError, Finding, note, warning
+from BendTorsionWB.core.finding import BETWEEN, BendTorsionError, Finding, error, note, warning
 from BendTorsionWB.exchange.output_folder import OwnFile
+from BendTorsionWB.exchange.schedule_cells import did_you_mean
 from BendTorsionWB.exchange.schedule_jobs import Files, job_of
 from BendTorsionWB.exchange.schedule_rows import MemberRow, Schedule
 from BendTorsionWB.source_files import read_files
@@ -33,6 +34,22 @@ class LeftOut:
     def without_theirs(self, findings: Iterable[Finding]) -> tuple[Finding, ...]:
         """The findings, but for those about these members alone."""
         return tuple(f for f in findings if not self.members.issuperset(f.objects))
+
+
+def check_named(source: str, only: Iterable[str], members: Iterable[str]) -> None:
+    """Raises BendTorsionError for names of `only` that none of the members has. source: the
+    schedule or document they are members of."""
+    known = list(members)
+    some = BETWEEN.join(known[:NAMED]) + (f"{BETWEEN}…" if len(known) > NAMED else "")
+    found = []
+    for name in dict.fromkeys(only):
+        if name not in known:
+            near = did_you_mean(name, known)
+            mend = f"did you mean {near}?" if near else "use names of its members"
+            fields = {"value": name, "limit": some}
+            found.append(error("member-unknown", source, "there is no such member", mend, **fields))
+    if found:
+        raise BendTorsionError(found)
 
 
 def left_out(

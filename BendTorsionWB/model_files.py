@@ -13,20 +13,24 @@ from pathlib import Path
 
 from BendTorsionWB.core.collection import collection_of_new
 from BendTorsionWB.core.detailing import MemberJob
-from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
+from BendTorsionWB.core.finding import Finding, error, has_error, note
 from BendTorsionWB.core.lofting import MemberRecord
 from BendTorsionWB.core.patterns.numbering import shared_marks
+from BendTorsionWB.document_cycles import refuse_cycle
 from BendTorsionWB.document_errors import told_of_members
+from BendTorsionWB.exchange.kept_rows import KEY as KEPT_ROWS
 from BendTorsionWB.exchange.kept_rows import bring_kept, has_kept
 from BendTorsionWB.exchange.linked_documents import linked_documents
 from BendTorsionWB.exchange.output_folder import UPDATED, OutputFolder
-from BendTorsionWB.exchange.report import of_member
+from BendTorsionWB.exchange.report import of_members
 from BendTorsionWB.exchange.result_cache import key_of
 from BendTorsionWB.exchange.schedule_content import content_of
 from BendTorsionWB.exchange.schedule_rows import Schedule
+from BendTorsionWB.exchange.split_model import SPLIT, kept_groups, split_size
 from BendTorsionWB.exchange.timeless import timeless_document
 from BendTorsionWB.exchange.whole_file import whole_file
 from BendTorsionWB.interrupts import to_the_end
+from BendTorsionWB.model_progress import ASSEMBLED, SAVED, ModelProgress
 from BendTorsionWB.solid_files import StepFiles, plate_sets, write_ifc
 
 MODEL, STEP, IFC = "model.FCStd", "model.step", "model.ifc"
@@ -96,23 +100,13 @@ def model_parts(members: Sequence[str], split: int = 0) -> list[ModelPart]:
 def checked_recompute(document) -> tuple[Finding, ...]:
     """Recompute and return the errors of all objects: `recompute` itself never tells. Raises
     BendTorsionError for objects that lost what computes them, and for those that depend on each
-    other in a circle: FreeCAD computes none of them, and leaves them up to date by their looks."""
+    other in a circle."""
     from BendTorsionWB.objects.preference import without_faces
     from BendTorsionWB.objects.proxy import findings_of
     from BendTorsionWB.objects.repair import refuse_bare
 
     refuse_bare(document.Objects)
-    circle = _circle(document)
-    if circle:
-        raise BendTorsionError(
-            error(
-                "link-cycle",
-                obj.Label,
-                "depends on itself, in a cycle of " + " -> ".join(other.Label for other in circle),
-                "cut one of these links",
-            )
-            for obj in circle
-        )
+    refuse_cycle(document)
     with to_the_end(), without_faces():
         document.recompute()
     findings = []
@@ -124,31 +118,6 @@ def checked_recompute(document) -> tuple[Finding, ...]:
                 error("object-invalid", obj.Label, obj.getStatusString(), "see the report view")
             )
     return tuple(dict.fromkeys(findings))
-
-
-def _circle(document) -> list:
-    """Objects that depend on each other in a circle, in its order; none when there is no circle."""
-    uses = {
-        obj.Name: {used.Name for used in obj.OutList if used.Document == document}
-        for obj in document.Objects
-    }
-    done: set[str] = set()
-    for first in uses:
-        path, waiting = [], [first]
-        while waiting:
-            name = waiting[-1]
-            if path and path[-1] == name:
-                done.add(path.pop())
-                waiting.pop()
-                continue
-            if name in path:
-                return [document.getObject(other) for other in path[path.index(name) :]]
-            if name in done:
-                waiting.pop()
-                continue
-            path.append(name)
-            waiting += uses[name] - done
-    return []
 
 
 def save(document, path: Path, shown: Sequence[str] = ()) -> None:
@@ -175,8 +144,12 @@ def group_plates(document) -> None:
     group.recompute()
 
 
-def write_linked_model(parts: Sequence[ModelPart], path: Path) -> None:
-    """The document that links to the groups of a split model; it holds no shape of its own.
+def write_linked_model(
+    parts: Sequence[ModelPart], path: Path, split: int, kept: str = "{}"
+) -> None:
+    """The document that links to the groups of a split model; it holds no shape of its own. split:
+    members per document, which it says for later updates; kept: rows of the schedule that no
+    member needs, as of `kept_rows`.
 
     It is made beside empty documents of the same names, so that no group has to be loaded.
     """
@@ -187,6 +160,7 @@ def write_linked_model(parts: Sequence[ModelPart], path: Path) -> None:
         try:
             whole = FreeCAD.newDocument("model", hidden=True)
             documents.append(whole)
+            whole.Meta = {SPLIT: str(split), KEPT_ROWS: kept}
             whole.saveAs(str(Path(folder) / MODEL))
             for part in parts:
                 group = FreeCAD.newDocument("part", hidden=True)
@@ -197,7 +171,7 @@ def write_linked_model(parts: Sequence[ModelPart], path: Path) -> None:
                 group.saveAs(str(place))
                 link = whole.addObject("App::Link", "Members")
                 link.LinkedObject = target
-                link.Label = _span(part.members)
+                link.Label = _span(part.members) if part.members else part.name
             whole.recompute()
             save(whole, path, [link.Name for link in whole.Objects])
         finally:
@@ -230,27 +204,55 @@ def write_model(
     one that was there; steps: the STEP files; stage and progress: told where the build is.
     """
     findings: tuple[Finding, ...] = ()
+    members = [row.name for row in schedule.members]
+    found = split_size(folder.out / MODEL) if wanted.update else 0
+    kept = found and wanted.split in (0, found)
+    if kept and not wanted.split:
+        wanted = replace(wanted, split=found)
+        findings += (_split_kept(found),)
+    whole = schedule.kept
     if wanted.split:
-        # None of the documents is the whole schedule's.
+        # None of the documents is the whole schedule's; that which links to all keeps it.
         schedule = replace(schedule, kept="")
     # By all members there are, so that one that is left out moves no other to another document.
-    every = model_parts([row.name for row in schedule.members], wanted.split)
-    parts = [part.of(records) for part in every]
-    parts = [part for part in parts if part.members]
-    for done, part in enumerate(parts):
-        progress("model", done, len(parts))
-        in_error = {name for name in part.members if has_error(of_member(name, known))}
+    every = model_parts(members, wanted.split)
+    if kept:
+        groups = kept_groups(folder.out / MODEL, members, found)
+        every = [ModelPart(name, own) for name, own in groups.items()]
+    # With members left out it is not known which rows are gone.
+    emptied = wanted.removing and jobs.keys() >= {*members}
+    parts = []
+    for part in every:
+        own = part.of(records)
+        if kept and part.members and not own.members and part.document in folder.former:
+            # All its members are left out, and it stays as it is; those that failed have no solids.
+            stays = (part.document,) if jobs.keys() & {*part.members} else part.files
+            for name in folder.former.keys() & {*stays}:
+                folder.keep(name)
+            parts.append(part)
+        elif own.members or (kept and not part.members and not emptied):
+            parts.append(own)
+    told = of_members(records, known)
+    steps_done = ModelProgress(progress, sum(len(part.members) for part in parts))
+    for part in parts:
+        if part.document in folder.now:
+            steps_done.keep(len(part.members))
+            continue
+        in_error = {name for name in part.members if has_error(told[name])}
         key = key_of(
-            content_of(schedule, part.members),
+            repr(content_of(schedule, _with_met(part.members, jobs))),
             [jobs[name] for name in part.members],
             sorted(in_error),
             wanted.sheets,
             wanted.split,
-            [shared_marks(records[name]) for name in part.members],
+            repr([shared_marks(records[name]) for name in part.members]),
         )
-        key = f"{UPDATED}{key}" if wanted.update else key
+        built, key = key, f"{UPDATED}{key}" if wanted.update else key
         left = folder.left_in(part.document)
         removing = wanted.removing and any(finding.code == "row-removed" for finding in left)
+        # One that a build made of the same, and nobody touched, an update has nothing to bring to.
+        if all(folder.has(name, built) for name in part.files):
+            key = built
         if not removing and all(folder.has(name, key) for name in part.files):
             for name in part.files:
                 folder.keep(name)
@@ -259,25 +261,58 @@ def write_model(
                 bring_kept(folder.out / part.document, schedule.kept)
                 folder.wrote(part.document, key, left=left)
             findings += left
+            steps_done.keep(len(part.members))
             continue
-        findings += _model_part(
-            folder, schedule, jobs, records, part, in_error, key, wanted, document_of, steps, stage
-        )
+        with steps_done.part(len(part.members)):
+            findings += _model_part(
+                folder,
+                schedule,
+                jobs,
+                records,
+                part,
+                in_error,
+                key,
+                wanted,
+                document_of,
+                steps,
+                stage,
+                steps_done,
+            )
         with stage("step"):
             steps.write()
     with stage("step"):
         steps.write(wait=True)
     if wanted.split:
-        key = key_of([part.members for part in parts])
+        key = key_of([part.members for part in parts], wanted.split)
         if folder.has(MODEL, key):
             folder.keep(MODEL)
+            if not has_kept(folder.out / MODEL, whole):
+                folder.begin(MODEL)
+                bring_kept(folder.out / MODEL, whole)
+                folder.wrote(MODEL, key)
         else:
             folder.save_by_hand(MODEL)
             folder.begin(MODEL)
-            write_linked_model(parts, folder.out / MODEL)
+            write_linked_model(parts, folder.out / MODEL, wanted.split, whole)
             folder.wrote(MODEL, key)
-    progress("model", len(parts), len(parts))
+    steps_done.finish()
     return findings
+
+
+def _with_met(members: Sequence[str], jobs: Mapping[str, MemberJob]) -> set[str]:
+    """Members, and those they meet, which are in their document too."""
+    met = {one for name in members for node in jobs[name].meets for one in node.members}
+    return {*members, *met}
+
+
+def _split_kept(size: int) -> Finding:
+    return note(
+        "split-kept",
+        MODEL,
+        f"the model stays split by {size}, each member in the document it is in",
+        "for one document of all run build, for others update with --split",
+        value=size,
+    )
 
 
 def _model_part(
@@ -292,6 +327,7 @@ def _model_part(
     document_of: Callable,
     steps: StepFiles,
     stage: Callable,
+    steps_done: ModelProgress,
 ) -> tuple[Finding, ...]:
     import FreeCAD
 
@@ -304,7 +340,9 @@ def _model_part(
             out / part.document,
         )
         try:
-            found = told_of_members(document, checked_recompute(document))
+            steps_done.add(ASSEMBLED * len(part.members))
+            with steps_done.computing(document, len(part.members)):
+                found = told_of_members(document, checked_recompute(document))
             if wanted.split:
                 group_plates(document)
         except BaseException:
@@ -314,21 +352,22 @@ def _model_part(
     if has_error(found):
         key = ""
     try:
+        told = of_members(part.members, found)
         healthy = [
-            name
-            for name in part.members
-            if name not in in_error and not has_error(of_member(name, found))
+            name for name in part.members if name not in in_error and not has_error(told[name])
         ]
         with stage("step"):
-            if healthy:
-                steps.start(document, healthy, part.step, key)
+            each = steps_done.add
+            contents = steps.start(document, healthy, part.step, key, each) if healthy else {}
         with stage("ifc"):
             if healthy:
                 settings = schedule.settings
                 path = out / part.ifc
                 folder.begin(part.ifc)
                 site, project = settings.site, settings.project
-                write_ifc(document, healthy, records, site, project, path, steps.cache)
+                write_ifc(
+                    document, healthy, records, site, project, path, steps.cache, contents, each
+                )
                 folder.wrote(part.ifc, key)
         with stage("save"):
             if not wanted.update or linked_documents(out / part.document):
@@ -338,6 +377,7 @@ def _model_part(
             made_from = key if healthy else ""
             made_from = made_from or (UPDATED if wanted.update else "")
             folder.wrote(part.document, made_from, left=left)
+        steps_done.add(SAVED * len(part.members))
     finally:
         FreeCAD.closeDocument(document.Name)
     return (*found, *left)

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The files of a whole project besides its tables: nesting list, combined DXF, HTML report."""
+"""The files of a whole project besides its tables: nesting list and HTML report."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import BrokenExecutor, Executor, Future
 from dataclasses import dataclass
+from functools import partial
 
 from BendTorsionWB import __version__
+from BendTorsionWB.combined_files import CombinedFiles
 from BendTorsionWB.core.collection import collection_of_new
 from BendTorsionWB.core.detailing import DetailedMember, MemberJob
 from BendTorsionWB.core.drawings.sheet_style import SheetStyle
@@ -16,11 +17,9 @@ from BendTorsionWB.core.finding import Finding
 from BendTorsionWB.core.lofting import DevelopedPlate, MemberRecord
 from BendTorsionWB.core.nodes.node_record import NodeRecord
 from BendTorsionWB.core.patterns.strain_map import StrainMap, strain_map
-from BendTorsionWB.exchange import folder_guide, report
+from BendTorsionWB.exchange import folder_guide
 from BendTorsionWB.exchange.cutting_tables import nesting_csv
-from BendTorsionWB.exchange.dxf_file import Frame
-from BendTorsionWB.exchange.dxf_nest import groups_of, nest_dxf, nest_frame
-from BendTorsionWB.exchange.html_report import Picture, html_report
+from BendTorsionWB.exchange.html_report import Picture, html_report, plate_rows
 from BendTorsionWB.exchange.model_picture import model_svg
 from BendTorsionWB.exchange.output_folder import OutputFolder
 from BendTorsionWB.exchange.pattern_picture import pattern_svg
@@ -36,12 +35,13 @@ NESTING, HTML = "nesting.csv", "report.html"
 @dataclass(frozen=True)
 class Background:
     """What the report shows besides the records, asked for when it is written: uncertainty of
-    every member's axis, mm; the strain map of a plate, None where there is none; and the picture
-    of a member's patterns, coloured up to the largest strain."""
+    every member's axis, mm; the strain map of a plate, None where there is none; the picture of a
+    member's patterns, coloured up to the largest strain; and its rows in the table of plates."""
 
     uncertainty: Callable[[], Mapping[str, float]] = dict
     strain: Callable[[DevelopedPlate], StrainMap | None] = lambda plate: None
     patterns: Callable[[MemberRecord, float], str] = patterns_svg
+    plates: Callable[[MemberRecord], str] = plate_rows
 
 
 def background_of(
@@ -65,26 +65,10 @@ def background_of(
                 return strain_map(candidate, given.mode, given.marking_face, given.surface)
         return None
 
-    return Background(uncertainty, strain, patterns)
+    def plates(record: MemberRecord) -> str:
+        return fragments.of(record.member).plates if record.plates else ""
 
-
-def start_frames(
-    folder: OutputFolder,
-    records: Mapping[str, MemberRecord],
-    keys: Mapping[str, str],
-    executor: Executor | None,
-) -> dict[str, tuple[list[str], Future]]:
-    """Have the frames of the combined DXF files that are not there made by the executor, which take
-    their time: marks of the plates and frame by file name. keys: of what the records come from."""
-    if executor is None:
-        return {}
-    own = {name: record_key(keys[name], record) for name, record in records.items()}
-    started = {}
-    for name, group in groups_of(list(records.values())).items():
-        if not folder.has(name, _group_key(group, own)):
-            marks = [plate.mark for plate in group]
-            started[name] = marks, executor.submit(nest_frame, marks)
-    return started
+    return Background(uncertainty, strain, patterns, plates)
 
 
 @collection_of_new()
@@ -95,56 +79,46 @@ def write_package(
     keys: Sequence[str],
     titles: SheetStyle,
     background: Background,
-    frames: Mapping[str, tuple[list[str], Future]] | None = None,
-    nodes: Sequence[NodeRecord] | None = None,
+    combined: CombinedFiles,
+    nodes: Sequence[NodeRecord] | None,
+    progress: Callable[[str, int, int], None],
 ) -> None:
-    """Write the nesting list, the combined DXF files and the HTML report unless they are there,
-    after the files of the members. keys: of what the records come from; frames: of start_frames;
-    nodes: of the project, with meetings that are none, or those of the records."""
+    """Write the nesting list and the HTML report unless they are there, and start the combined DXF
+    files, after the files of the members. keys: of what the records come from; nodes: of the
+    project, with meetings that are none, or those of the records."""
+    # A step for each member, one for the files before and one for the page itself.
+    steps = len(records) + 2
+    progress("package", 0, steps)
     own = {r.member: record_key(key, r) for key, r in zip(keys, records, strict=True)}
     whole = key_of(list(own.items())) if all(own.values()) else ""
     plates = [plate for record in records for plate in record.plates]
-    for name, group in groups_of(records).items():
-        key = _group_key(group, own)
-        if folder.has(name, key):
-            folder.keep(name)
-            continue
-        # Joined from the plates' own files, which stand by now: drawing them is the most work.
-        parts = [(p.mark, (folder.out / report.dxf_name(p.mark)).read_bytes()) for p in group]
-        marks, started = (frames or {}).get(name, ([], None))
-        same = started is not None and marks == [plate.mark for plate in group]
-        folder.write(name, nest_dxf(parts, _done(started) if same else None), key)
+    combined.start(records, own)
     if plates and folder.has(NESTING, whole):
         folder.keep(NESTING)
     elif plates:
         folder.write(NESTING, nesting_csv(tuple(records)), whole)
+    progress("package", 1, steps)
     told = [finding.line() for finding in findings]
-    files = list(folder_guide.rows(folder.now))
+    files = list(folder_guide.rows({*folder.now, *combined.begun}))
     names = [r.member for r in records]
     key = key_of(whole, names, told, titles, files, nodes) if whole else ""
     if folder.has(HTML, key):
         folder.keep(HTML)
     else:
-        page = report_page(records, findings, titles, background, files, nodes)
+        done = partial(_tell, progress, steps)
+        page = report_page(records, findings, titles, background, files, nodes, done)
         folder.write(HTML, page.encode("utf-8", "replace"), key)
-    text = folder_guide.readme(titles.project, __version__, files)
+    missing = folder_guide.left_out(records, findings)
+    text = folder_guide.readme(titles.project, __version__, files, missing)
     if folder.has(folder_guide.README, key_of(text)):
         folder.keep(folder_guide.README)
     else:
         folder.write(folder_guide.README, text.encode("utf-8", "replace"), key_of(text))
+    progress("package", steps, steps)
 
 
-def _done(started: Future) -> Frame | None:
-    """What a worker made; None when it died."""
-    try:
-        return started.result()
-    except BrokenExecutor:
-        return None
-
-
-def _group_key(plates: Sequence[DevelopedPlate], keys: Mapping[str, str]) -> str:
-    members = {plate.member: keys[plate.member] for plate in plates}
-    return key_of(members, [plate.mark for plate in plates]) if all(members.values()) else ""
+def _tell(progress: Callable[[str, int, int], None], steps: int, members: int) -> None:
+    progress("package", 1 + members, steps)
 
 
 def report_page(
@@ -152,13 +126,21 @@ def report_page(
     findings: tuple[Finding, ...],
     titles: SheetStyle,
     background: Background,
-    files: Sequence[tuple[str, str]] = (),
-    nodes: Sequence[NodeRecord] | None = None,
+    files: Sequence[tuple[str, str]],
+    nodes: Sequence[NodeRecord] | None,
+    done: Callable[[int], None],
 ) -> str:
     """The HTML report: the model, strain and pattern of the plate with the largest strain, the
-    patterns of all; files: of the folder, and what is in them; nodes: as of write_package."""
-    pictures = [Picture("The members, seen from outside", model_svg(records))]
+    patterns of all; files: of the folder, and what is in them; nodes: as of write_package; done:
+    told of how many members the patterns are drawn."""
     plates = [plate for record in records for plate in record.plates if plate.lines]
+    highest = max((plate.strain_max for plate in plates), default=0.0)
+    patterns = []
+    # Of what is asked for these take longest: workers make them, or they are drawn here.
+    for number, record in enumerate(records, start=1):
+        patterns.append(Picture(record.member, background.patterns(record, highest)))
+        done(number)
+    pictures = [Picture("The members, seen from outside", model_svg(records))]
     if plates:
         worst = max(plates, key=lambda plate: plate.strain_max)
         field = background.strain(worst)
@@ -169,8 +151,6 @@ def report_page(
             pictures.append(Picture(caption, svg))
         pictures.append(Picture(f"Flat pattern of {worst.mark}", pattern_svg(worst)))
     sources = error_sources(records, background.uncertainty())
-    highest = max((plate.strain_max for plate in plates), default=0.0)
-    patterns = [Picture(record.member, background.patterns(record, highest)) for record in records]
     return html_report(
         records,
         findings,
@@ -182,4 +162,5 @@ def report_page(
         files,
         titles.told_length,
         nodes,
+        list(map(background.plates, records)),
     )

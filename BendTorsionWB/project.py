@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import logging
 import os
 import time
 from collections.abc import Callable, Mapping, Sequence
@@ -12,15 +13,18 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+import numpy as np
+
+from BendTorsionWB.combined_files import CombinedFiles
 from BendTorsionWB.core import detailing
 from BendTorsionWB.core.collection import without_collection
 from BendTorsionWB.core.drawings.sheet_style import PLAIN_STYLE, SheetStyle
-from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
+from BendTorsionWB.core.finding import BendTorsionError, Finding, has_error
 from BendTorsionWB.core.lofting import MemberRecord, failed_record
 from BendTorsionWB.core.memo import stamped
 from BendTorsionWB.core.nodes.node_jobs import all_records
 from BendTorsionWB.core.nodes.nodes import Found
-from BendTorsionWB.core.parallel import attempts, workers_for
+from BendTorsionWB.core.parallel import attempts, mapping, workers_for
 from BendTorsionWB.core.patterns.layer_names import named_layers
 from BendTorsionWB.core.site import datum_findings
 from BendTorsionWB.core.welds.landed_marks import with_landed_marks
@@ -55,23 +59,25 @@ from BendTorsionWB.exchange.schedule_nodes import with_nodes
 from BendTorsionWB.exchange.schedule_rows import Schedule, StatusRow
 from BendTorsionWB.exchange.whole_file import write_whole
 from BendTorsionWB.ifc_fragments import kept_key as ifc_key
+from BendTorsionWB.interrupts import to_the_end
 from BendTorsionWB.member_files import (
-    MemberFile,
-    Started,
     member_files,
+    record_key,
     start_all,
-    written,
+    write_member_files,
 )
 from BendTorsionWB.member_fragments import Fragments
-from BendTorsionWB.members_left_out import left_out, read_jobs_of
+from BendTorsionWB.members_left_out import check_named, left_out, read_jobs_of
 from BendTorsionWB.model_files import Wanted, write_model
-from BendTorsionWB.package_files import background_of, start_frames, write_package
+from BendTorsionWB.package_files import background_of, write_package
 from BendTorsionWB.report_files import write_reports
 from BendTorsionWB.sheet_files import write_sheet_set
 from BendTorsionWB.solid_files import StepFiles
 from BendTorsionWB.step_fragments import kept_key as step_key
 
 TIMING = "timing.json"
+
+_log = logging.getLogger(__name__)
 
 EVERYTHING = Wanted()
 
@@ -131,19 +137,7 @@ def read_project(
     """As read_jobs, and the nodes of the project, with what was found at them and in files.
     others: the jobs of other members than `only` come along, but for those with faults."""
     schedule = read_schedule(path)
-    names = [row.name for row in schedule.members]
-    unknown = [name for name in only if name not in names]
-    if unknown:
-        raise BendTorsionError(
-            error(
-                "member-unknown",
-                schedule.file,
-                f"no member {name!r} in the schedule",
-                "use names of the Members sheet",
-                value=name,
-            )
-            for name in unknown
-        )
+    check_named(schedule.file, only, [row.name for row in schedule.members])
     # Nodes lie between all members, whichever of them are built.
     has_nodes = schedule.nodes or any(row.rank is not None for row in schedule.members)
     every = has_nodes or others or not only
@@ -178,23 +172,28 @@ def detail_members(
     progress: Progress = silent,
     cache: ResultCache | None = None,
     keys: Mapping[str, str] | None = None,
+    of_files: Sequence[Finding] = (),
 ) -> tuple[dict[str, detailing.DetailedMember], tuple[Finding, ...]]:
     """The members in schedule order, from the cache where it has them, and an error for each whose
     worker died. keys: of the jobs, for the cache. Raises BendTorsionError with every finding
-    located at its cell, and then keeps nothing."""
+    located at its cell, and then keeps nothing; of_files: what was found in the files that the
+    members come from, which may explain those and is told before them."""
     # The collector would walk all that is read so far, again and again.
     with without_collection():
         found = {name: cache.find(keys[name]) for name in jobs} if cache else {}
     results = {name: result for name, result in found.items() if result is not None}
     pending = {name: job for name, job in jobs.items() if name not in results}
+    if executor is not None:
+        # The longest first, so that workers end together.
+        pending = dict(sorted(pending.items(), key=lambda item: -_length(item[1])))
     faults, lost, packed = [], [], {}
     try:
         for done, (name, outcome) in enumerate(
             attempts(_attempt, pending, executor), start=len(results) + 1
         ):
             if outcome.failure:
-                mend = "build again; with fewer workers (--jobs) when memory is short"
-                lost.append(error("worker-failed", name, outcome.failure, mend))
+                lost.append(outcome.failure)
+                _log.debug("%s: %s", name, outcome.trace)
             elif isinstance(outcome.value, detailing.DetailedMember):
                 results[name] = outcome.value
                 packed[name] = outcome.packed if cache else b""
@@ -208,10 +207,19 @@ def detail_members(
             if name in results:
                 cache.keep(keys[name], results[name], packed.pop(name))
     if faults:
-        raise BendTorsionError(dict.fromkeys(faults))
+        units = [finding for finding in of_files if finding.code.startswith("file-")]
+        raise BendTorsionError(dict.fromkeys([*units, *faults]))
     for result in results.values():
         detailing.adopt(result)
     return {name: results[name] for name in jobs if name in results}, tuple(lost)
+
+
+def _length(job: detailing.MemberJob) -> float:
+    """About how long a member is, mm, as far as points tell."""
+    points = job.axis.points
+    if points is None or len(points) < 2:
+        return 0.0
+    return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
 
 
 def _attempt(job: detailing.MemberJob):
@@ -273,10 +281,11 @@ def _build(
         jobs, keys = ({n: own[n] for n in own if n not in left.members} for own in (jobs, keys))
         found = replace(found, findings=left.without_theirs(found.findings))
     update = Update(wanted.removing, bool(left.members))
-    with workers_for(workers, len(jobs)) as own:
-        executor = executor or own
+    with workers_for(workers, len(jobs), given=executor) as executor:
         with timing.stage("members"):
-            detailed, lost = detail_members(schedule, jobs, executor, progress, cache, keys)
+            detailed, lost = detail_members(
+                schedule, jobs, executor, progress, cache, keys, found.findings
+            )
         with timing.stage("clashes"):
             from BendTorsionWB.shapes.clash import clashes
 
@@ -297,8 +306,7 @@ def _build(
         statuses = {row.name: row.status for row in rows}
         with timing.stage("revision"):
             # Before any file is made: nothing of a member refused here may reach the model.
-            run = executor.map if executor else map
-            kept = out / KEPT_OUTLINES
+            run, kept = mapping(executor), out / KEPT_OUTLINES
             since = compared(out, kept, developed.values(), statuses, left.members, run)
             findings += cut_findings(since.changes)
             slips = status_findings(rows, since.marks, {*left.members, *(jobs.keys() - developed)})
@@ -307,24 +315,26 @@ def _build(
         # Workers make the files of all members while this process builds the document.
         made = start_all([f for f in files if not folder.has(f.name, f.made_from)], executor)
         site = schedule.settings.site
-        frames = start_frames(folder, developed, keys, executor)
+        combined = CombinedFiles(folder, executor)
+        written_from = {name: record_key(keys[name], own) for name, own in developed.items()}
+        combined.start_frames(list(developed.values()), written_from)
         fragments = Fragments(developed, jobs, keys, site, cache, executor)
         if wanted.model:
-            findings += write_model(
-                folder,
-                schedule,
-                jobs,
-                developed,
-                findings,
-                wanted,
-                update.document_of if wanted.update else _new_document,
-                StepFiles(folder, cache, executor),
-                timing.stage,
-                progress,
-            )
-        records = tuple(
-            _record(name, developed.get(name), report.of_member(name, findings)) for name in jobs
-        )
+            with to_the_end():
+                findings += write_model(
+                    folder,
+                    schedule,
+                    jobs,
+                    developed,
+                    findings,
+                    wanted,
+                    update.document_of if wanted.update else _new_document,
+                    StepFiles(folder, cache, executor),
+                    timing.stage,
+                    progress,
+                )
+        told = report.of_members(jobs, findings)
+        records = tuple(_record(name, developed.get(name), told[name]) for name in jobs)
         healthy = {record.member for record in records if record.plates}
         refused = jobs.keys() - healthy
         findings += slips  # about the list, whatever its file is named after
@@ -335,11 +345,13 @@ def _build(
         with timing.stage("package"):
             behind = background_of(jobs, detailed, fragments)
             own = list(keys.values())
-            write_package(folder, records, findings, own, titles, behind, frames, nodes)
+            write_package(folder, records, findings, own, titles, behind, combined, nodes, progress)
             keep_part_marks(out, marks)
         with timing.stage("results"):
-            write_reports(folder, records, findings, own, titles, site, nodes, fragments)
+            write_reports(folder, records, findings, own, titles, site, nodes, progress, fragments)
             fragments.keep_all()
+        with timing.stage("package"):
+            combined.finish(progress)
     with timing.stage("revision"):
         for name in comparison_files(since):
             folder.begin(name)
@@ -367,25 +379,6 @@ def issue_folder(out: str | os.PathLike, revision: str, note: str = "") -> Issue
 
 def _new_document(schedule, jobs, sheets: bool, path: Path):
     return build_document(schedule, jobs, sheets), ()
-
-
-def write_member_files(
-    folder: OutputFolder,
-    files: Sequence[MemberFile],
-    made: dict[str, Started | None],
-    healthy: set[str],
-    progress: Progress,
-) -> None:
-    """Write the files that are being made, of healthy members, and let go of what made them; those
-    there already stay."""
-    wanted = [file for file in files if file.member in healthy]
-    for done, file in enumerate(wanted, start=1):
-        if file.name in made:
-            content = written(file, made.pop(file.name))
-            folder.write(file.name, content, file.made_from, file.member)
-        else:
-            folder.keep(file.name)
-        progress("sheets and cut files", done, len(wanted))
 
 
 def _record(name: str, developed: MemberRecord | None, own: tuple[Finding, ...]) -> MemberRecord:

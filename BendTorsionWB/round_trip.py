@@ -7,18 +7,28 @@ import os
 import tempfile
 from pathlib import Path
 
+from BendTorsionWB.core.detailing import MemberJob
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error, warning
-from BendTorsionWB.core.memo import content_hash
 from BendTorsionWB.document import build_document
-from BendTorsionWB.document_difference import document_changes, kind_of, objects_of
+from BendTorsionWB.document_cycles import refuse_cycle
+from BendTorsionWB.document_difference import document_changes
+from BendTorsionWB.document_forms import (
+    AXIS_FORMS,
+    CUT_FORMS,
+    equal_sections,
+    without_other_forms,
+)
+from BendTorsionWB.document_objects import documents_of, kind_of
 from BendTorsionWB.document_rows import rows_of
-from BendTorsionWB.document_update import open_document
 from BendTorsionWB.exchange.difference import Change, schedule_changes
+from BendTorsionWB.exchange.linked_documents import refuse_linked
 from BendTorsionWB.exchange.schedule import read_schedule
+from BendTorsionWB.exchange.schedule_rows import Schedule
 from BendTorsionWB.exchange.schedule_writer import write_schedule
 from BendTorsionWB.exchange.whole_file import write_changed
-from BendTorsionWB.objects import section_spec
+from BendTorsionWB.objects.repair import refuse_bare
 from BendTorsionWB.project import read_jobs
+from BendTorsionWB.whole_model import close_model, members_in, open_model
 
 
 def difference(one: str | os.PathLike, other: str | os.PathLike) -> tuple[Change, ...]:
@@ -27,13 +37,12 @@ def difference(one: str | os.PathLike, other: str | os.PathLike) -> tuple[Change
     paths = [Path(one), Path(other)]
     if not any(path.suffix.lower() == ".fcstd" for path in paths):
         return schedule_changes(*map(read_schedule, paths))
-    import FreeCAD
-
     documents = {}
     try:
         for path in paths:
-            if path.suffix.lower() == ".fcstd":
-                documents[path] = open_document(path)
+            if path.suffix.lower() == ".fcstd" and path not in documents:
+                documents[path] = open_model(path)
+                _refuse_uncomputed(documents[path])
         # A model without sheets is no difference from its schedule.
         sheets = all(
             any(kind_of(obj) == "SheetSet" for obj in document.Objects)
@@ -43,36 +52,44 @@ def difference(one: str | os.PathLike, other: str | os.PathLike) -> tuple[Change
             if path not in documents:
                 schedule, jobs = read_jobs(path)
                 documents[path] = build_document(schedule, jobs, sheets)
-        return document_changes(*(documents[path] for path in paths))
+        pair = [documents[path] for path in paths]
+        return without_other_forms(document_changes(*pair), *pair)
     finally:
-        for document in documents.values():
-            FreeCAD.closeDocument(document.Name)
+        for model in documents.values():
+            close_model(documents_of(model))
+
+
+def _refuse_uncomputed(model) -> None:
+    """Raises BendTorsionError for objects that cannot be computed, or lost what computes them."""
+    for document in documents_of(model):
+        refuse_bare(document.Objects)
+        refuse_cycle(document)
 
 
 def write_document_back(
     document: str | os.PathLike, path: str | os.PathLike
 ) -> tuple[Finding, ...]:
-    """`write_back` of a saved document."""
-    import FreeCAD
-
-    opened = open_document(Path(document))
+    """`write_back` of a saved document, or of all those a split model links to."""
+    model = open_model(Path(document))
     try:
-        return write_back(opened, path)
+        return write_back(model, path)
     finally:
-        FreeCAD.closeDocument(opened.Name)
+        close_model(documents_of(model))
 
 
 def write_back(document, path: str | os.PathLike) -> tuple[Finding, ...]:
-    """Write a document as a schedule: a workbook (.xlsx) or a folder of CSV, and a folder beside it
-    for shapes. A warning for each thing a schedule cannot say; raises BendTorsionError, before
-    anything is written, for a document without members and for objects that cannot be computed.
+    """Write a document, or a WholeModel, as a schedule: a workbook (.xlsx) or a folder of CSV, and
+    a folder beside it for shapes. A warning for each thing a schedule cannot say; raises
+    BendTorsionError, before anything is written, for a document without members and for objects
+    that cannot be computed, lost what computes them, or depend on each other in a circle.
 
     Told by reading what is to be written, making its document, and comparing.
     """
-    import FreeCAD
-
     path = Path(path)
+    _refuse_uncomputed(document)
     if not any(kind_of(obj) == "Member" for obj in document.Objects):
+        if getattr(document, "FileName", ""):
+            refuse_linked(Path(document.FileName))
         raise BendTorsionError(
             error(
                 "member-unknown",
@@ -87,13 +104,13 @@ def write_back(document, path: str | os.PathLike) -> tuple[Finding, ...]:
         rows = rows_of(document, files)
         write_schedule(rows, trial)
         schedule, jobs = read_jobs(trial)
-        sheets = any(kind_of(obj) == "SheetSet" for obj in document.Objects)
-        again = build_document(schedule, jobs, sheets)
-        try:
-            equal = _equal_sections(document, again)
-            changes = document_changes(document, again)
-        finally:
-            FreeCAD.closeDocument(again.Name)
+        parts = documents_of(document)
+        unsaid: list[Change] = []
+        for part in parts:
+            own = jobs
+            if len(parts) > 1:
+                own = {name: jobs[name] for name in members_in(document, part)}
+            unsaid += _unsaid(part, schedule, own)
         shapes = {file.name: file.read_bytes() for file in sorted(files.glob("*"))}
     for name, content in shapes.items():
         write_changed(path.with_name(files.name) / name, content)
@@ -106,31 +123,30 @@ def write_back(document, path: str | os.PathLike) -> tuple[Finding, ...]:
             "leave it in the document, or set it by hand after building the schedule",
             position=f"property {change.property}" if change.property else "",
         )
-        for change in changes
-        if change.kind != "File" and change.what != "added" and not _in_another_form(change)
-        if not (change.kind == "SectionSpec" and change.name in equal)
+        for change in dict.fromkeys(unsaid)
     )
 
 
-def _equal_sections(one, other) -> set[str]:
-    """Names of the sections that are the same though their properties may not be: thicknesses of
-    all plates or of each, joints automatic or named."""
-    sections = [
-        {
-            name: content_hash(section_spec.value(obj))
-            for (kind, name), obj in objects_of(document).items()
-            if kind == "SectionSpec"
-        }
-        for document in (one, other)
+def _unsaid(document, schedule: Schedule, jobs: dict[str, MemberJob]) -> list[Change]:
+    """What of a document that of the schedule with these members does not have."""
+    sheets = any(kind_of(obj) == "SheetSet" for obj in document.Objects)
+    again = build_document(schedule, jobs, sheets)
+    try:
+        equal = equal_sections(document, again)
+        changes = document_changes(document, again, by_label=True)
+    finally:
+        close_model([again])
+    return [
+        change
+        for change in changes
+        if change.kind != "File" and change.what != "added" and not _in_another_form(change)
+        if not (change.kind == "SectionSpec" and change.name in equal)
     ]
-    return {name for name, value in sections[0].items() if sections[1].get(name) == value}
-
-
-_OTHER_FORMS = ("Rule", "Source", "Points", "Order", "Direction", "Reversed", "Closed", "CutBy")
-_CUTS = ("Cut", "CutAxis", "CutPoint", "CutOffset", "CutRatio")
 
 
 def _in_another_form(change: Change) -> bool:
     """Whether the schedule says a property by others: axes by rule or of pieces by points and
     curves, cuts by crossing or point by their place."""
-    return change.property.startswith(_OTHER_FORMS) or change.property.rstrip("0123456789") in _CUTS
+    return (
+        change.property.startswith(AXIS_FORMS) or change.property.rstrip("0123456789") in CUT_FORMS
+    )

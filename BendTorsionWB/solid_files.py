@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from pathlib import Path
 
@@ -15,11 +15,16 @@ from BendTorsionWB.core.site import SiteDatum
 from BendTorsionWB.exchange.ifc import ifc_file
 from BendTorsionWB.exchange.ifc_fragment import IfcFragment
 from BendTorsionWB.exchange.output_folder import OutputFolder
-from BendTorsionWB.exchange.result_cache import ResultCache
+from BendTorsionWB.exchange.result_cache import ResultCache, key_of
 from BendTorsionWB.exchange.step_fragment import SolidName, step_file
 from BendTorsionWB.exchange.whole_file import whole_file
 from BendTorsionWB.ifc_fragments import NamedSolid, member_fragment
+from BendTorsionWB.model_progress import IFC, STEP
 from BendTorsionWB.step_fragments import MemberSolids, StepFragments, member_solids
+
+
+def _nobody(steps: int) -> None:
+    """Nobody is told how far it is."""
 
 
 def plate_sets(document) -> list:
@@ -43,17 +48,36 @@ def write_step(
 
 
 class StepFiles:
-    """The STEP files of a build. Their members are made by the executor, if it can, while the build
-    goes on, and kept in the cache."""
+    """STEP files of a folder. Their members are made by the executor, if it can, while other work
+    goes on, and kept in the cache, where there is one."""
 
-    def __init__(self, folder: OutputFolder, cache: ResultCache, executor: Executor | None):
+    def __init__(self, folder: OutputFolder, cache: ResultCache | None, executor: Executor | None):
         self._folder, self.cache, self._executor = folder, cache, executor
         self._under_way: list[tuple[str, str, StepFragments]] = []
 
-    def start(self, document, members: Sequence[str], name: str, made_from: str) -> None:
-        """Begin a file of these members as they are in a document now. Raises as `write_step`."""
-        own = StepFragments(_solids_of(document, members), self.cache, self._executor)
-        self._under_way.append((name, made_from, own))
+    def start(
+        self,
+        document,
+        members: Sequence[str],
+        name: str,
+        made_from: str,
+        done: Callable[[int], None] = _nobody,
+    ) -> dict[str, str]:
+        """Begin a file of these members as they are in a document now; hashes of their solids and
+        marks, by member. done: told the steps of each. Raises as `write_step`."""
+        contents: dict[str, str] = {}
+
+        def given() -> Iterator[MemberSolids]:
+            for solids in _solids_of(document, members):
+                if self.cache:
+                    marks = [own.mark for own in solids.names]
+                    contents[solids.member] = key_of(solids.content, marks)
+                yield solids
+                done(STEP)
+
+        fragments = StepFragments(given(), self.cache, self._executor)
+        self._under_way.append((name, made_from, fragments))
+        return contents
 
     def write(self, wait: bool = False) -> None:
         """Write what was begun, in that order; without waiting what is ready only."""
@@ -89,10 +113,12 @@ def write_ifc(
     project: str,
     path: Path,
     cache: ResultCache | None = None,
+    contents: Mapping[str, str] | None = None,
+    done: Callable[[int], None] = _nobody,
 ) -> None:
     """IFC4 of the members' plates, an assembly per delivery piece; records: of the members; cache:
-    where what they give to the file is kept. Raises BendTorsionError naming a member in error, or
-    a plate whose solid is not one shell."""
+    where what they give to the file is kept; contents and done: as of `StepFiles.start`.
+    Raises BendTorsionError naming a member in error, or a plate whose solid is not one shell."""
     sets = _healthy_sets(document, members)
 
     def fragments() -> Iterator[IfcFragment]:
@@ -103,7 +129,9 @@ def write_ifc(
                 for piece, own in _by_piece(named_solids(obj)).items()
             }
             plates = {plate.mark: plate for plate in records[name].plates}
-            yield member_fragment(project, name, solids, plates, cache)
+            content = (contents or {}).get(name, "")
+            yield member_fragment(project, name, solids, plates, cache, content)
+            done(IFC)
 
     with whole_file(path) as part, open(part, "wb") as stream:
         for text in ifc_file(project, fragments(), site, __version__):

@@ -11,7 +11,6 @@ import numpy as np
 
 from BendTorsionWB.core.axes.axis_source import AxisSource
 from BendTorsionWB.core.finding import BendTorsionError, Finding
-from BendTorsionWB.exchange.curve_files import dxf_axis, dxf_unit
 from BendTorsionWB.exchange.file_extent import extent_findings, unit_of
 from BendTorsionWB.exchange.outside_files import file_of
 from BendTorsionWB.exchange.rhino_files import rhino_axis, rhino_patches, rhino_unit
@@ -73,8 +72,14 @@ def read_files(schedule: Schedule, rows: Sequence[MemberRow]) -> Files:
         if row.source is not None:
             read(row, "source", read_axis)
     if faults:
-        raise BendTorsionError(faults)
+        raise BendTorsionError(_once(faults))
     return Files(surfaces, sources, _findings(schedule, axes, boxes))
+
+
+def _once(faults: Sequence[Finding]) -> list[Finding]:
+    """The faults; a package that is missing is told at the first cell alone that needs it."""
+    missing = [finding for finding in faults if finding.code == "rhino3dm-missing"]
+    return [finding for finding in faults if finding not in missing[1:]]
 
 
 def faces_of(schedule: Schedule, row: SurfaceRow):
@@ -93,6 +98,9 @@ def faces_of(schedule: Schedule, row: SurfaceRow):
 def _source_of(schedule: Schedule, row: AxisRow) -> AxisSource:
     path = file_of(schedule.folder, row.source.file, row.name)
     if path.suffix.lower() == ".dxf":
+        # Its library takes a moment to load.
+        from BendTorsionWB.exchange.curve_files import dxf_axis
+
         return dxf_axis(path, row.source.part)
     if path.suffix.lower() == ".3dm":
         return rhino_axis(path, row.source.part)
@@ -146,6 +154,8 @@ def _described(schedule: Schedule, name: str) -> float | None:
 def _unit(path: Path) -> float | None:
     kind = path.suffix.lower()
     if kind == ".dxf":
+        from BendTorsionWB.exchange.curve_files import dxf_unit
+
         return dxf_unit(path)
     return rhino_unit(path) if kind == ".3dm" else unit_of(path)
 

@@ -5,12 +5,13 @@ of one member does not make those of all others again."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from concurrent.futures import BrokenExecutor, Executor, Future
+from concurrent.futures import Executor, Future
 from dataclasses import astuple, dataclass
+from functools import cached_property, partial
 from hashlib import sha256
 
 from BendTorsionWB import freecad_path
-from BendTorsionWB.core.parallel import Workers
+from BendTorsionWB.core.parallel import Workers, done_or
 from BendTorsionWB.exchange.result_cache import ResultCache, key_of
 from BendTorsionWB.exchange.step_fragment import SolidName, StepFragment, fragment_of_solids
 from BendTorsionWB.exchange.whole_file import in_temporary_folder
@@ -24,6 +25,11 @@ class MemberSolids:
     member: str
     names: tuple[SolidName, ...]
     solids: bytes
+
+    @cached_property
+    def content(self) -> str:
+        """Hash of the solids to the bit."""
+        return sha256(self.solids).hexdigest()
 
 
 def member_solids(member: str, names: Iterable[SolidName], solids: Iterable) -> MemberSolids:
@@ -84,19 +90,18 @@ class StepFragments:
             yield self._done(own) if isinstance(own, _UnderWay) else own
 
     def _started(self, given: MemberSolids) -> StepFragment | _UnderWay:
-        made_from = _made_from(given)
-        kept = self._cache.find_plain(kept_key(given.member)) if self._cache else None
-        if kept is not None and kept[0] == made_from:
-            return StepFragment(*kept[1:])
+        made_from = ""
+        if self._cache:
+            made_from = _made_from(given)
+            kept = self._cache.find_plain(kept_key(given.member))
+            if kept is not None and kept[0] == made_from:
+                return StepFragment(*kept[1:])
         if self._workers is None:
             return self._keep(made_from, made_fragment(given))
         return _UnderWay(given, made_from, self._workers.submit(made_fragment, given))
 
     def _done(self, own: _UnderWay) -> StepFragment:
-        try:
-            made = own.future.result()
-        except (BrokenExecutor, ImportError):
-            made = made_fragment(own.given)
+        made = done_or(own.future, partial(made_fragment, own.given))
         return self._keep(own.made_from, made)
 
     def _keep(self, made_from: str, made: StepFragment) -> StepFragment:
@@ -109,7 +114,7 @@ def _made_from(given: MemberSolids) -> str:
     from BendTorsionWB.shapes.step_text import kernel
 
     with in_temporary_folder(), to_the_end():
-        return key_of(kernel(), given.member, given.names, sha256(given.solids).hexdigest())
+        return key_of(kernel(), given.member, given.names, given.content)
 
 
 def _in_window() -> bool:

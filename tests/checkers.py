@@ -26,7 +26,7 @@ def missing(tool):
 def ask(task, path):
     """What a library of build/checkers reads from a file."""
     process = subprocess.run(
-        [PYTHON, __file__, task, path], capture_output=True, text=True, timeout=300
+        [PYTHON, __file__, task, path], capture_output=True, encoding="utf-8", timeout=300
     )
     assert process.returncode == 0, process.stderr[-2000:]
     return json.loads(process.stdout)

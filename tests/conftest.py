@@ -4,6 +4,7 @@
 import gc
 import ipaddress
 import os
+import signal
 import socket
 import sys
 from importlib.util import find_spec
@@ -30,6 +31,9 @@ else:
     freecad_path.append()
 
 from checkers import INSTALL, missing  # noqa: E402
+
+# Shells have jobs in the background ignore it, and so would all that tests start.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 LEFT_OUT = []
 _connect = socket.socket.connect
@@ -80,9 +84,26 @@ def pytest_collection_modifyitems(config, items):
         config.hook.pytest_deselected(items=[item for item in items if item not in kept])
         items[:] = kept
     if hasattr(config, "workerinput"):
-        # Workers take files in turn: the long ones first, so that none ends alone.
-        slow = {item.path for item in kept if item.get_closest_marker("slow")}
-        items.sort(key=lambda item: item.path not in slow)
+        turns = _turns(kept)
+        items.sort(key=lambda item: turns[item.path])
+
+
+def _turns(items):
+    """{path: when a worker takes this file}, from 0 to 1.
+
+    Sessions in FreeCAD's window wait much of their time: they are spread among files that compute,
+    so that processors have something to do meanwhile. Long files come early, so that none ends
+    alone."""
+    slow = {item.path for item in items if item.get_closest_marker("slow")}
+    groups = {"window": [], "slow": [], "quick": []}
+    for path in dict.fromkeys(item.path for item in items):
+        kind = "window" if "window" in path.stem else "slow" if path in slow else "quick"
+        groups[kind].append(path)
+    return {
+        path: number / len(paths) * (1.0 if kind == "quick" else 0.6)
+        for kind, paths in groups.items()
+        for number, path in enumerate(paths)
+    }
 
 
 def pytest_collection_finish():
@@ -109,6 +130,21 @@ def pytest_terminal_summary(terminalreporter):
         terminalreporter.section(f"not run, to be run after: {INSTALL}")
         for line in LEFT_OUT:
             terminalreporter.line(line)
+
+
+@pytest.fixture
+def made(path):
+    """The document of the schedule that a module has as its fixture `path`, recomputed."""
+    import FreeCAD
+
+    from BendTorsionWB import project
+    from BendTorsionWB.document import build_document
+
+    given, jobs = project.read_jobs(path)
+    document = build_document(given, jobs, sheets=False)
+    document.recompute()
+    yield document
+    FreeCAD.closeDocument(document.Name)
 
 
 # Fixtures for all tests.

@@ -154,7 +154,15 @@ def prepared(kind, seed, seeds, folder):
         path = folder / "a.step"
         path.write_bytes(damaged(seeds.step, draw))
         return lambda: faces_from_file(path, "", "roof")
-    return lambda: project.build(path, out, workers=1, wanted=project.Wanted(False, False))
+    return lambda: _built(path, out)
+
+
+def _built(path, out):
+    """Build; a fault of the program within a member is raised, not told."""
+    found = project.build(path, out, workers=1, wanted=project.Wanted(False, False)).findings
+    faults = [finding.message for finding in found if finding.code == "worker-failed"]
+    if faults:
+        raise RuntimeError(faults[0])
 
 
 def _fit_for_xlsx(cell):
@@ -224,7 +232,7 @@ def _run(action, write):
     os.dup2(nothing, 2)
     signal.signal(signal.SIGALRM, signal.SIG_DFL)
     signal.alarm(SECONDS)
-    with open("/proc/self/statm") as stream:
+    with open("/proc/self/statm", encoding="utf-8") as stream:
         taken = int(stream.read().split()[0]) * resource.getpagesize()
     resource.setrlimit(resource.RLIMIT_AS, (taken + MEMORY, taken + MEMORY))
     try:

@@ -16,7 +16,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from BendTorsionWB import model_files, step_fragments
+from BendTorsionWB import ifc_fragments, model_files, step_fragments
 
 SIZES = (None, 1000, 20000, 60000)
 """Bytes at which a writer of FreeCAD is stopped: at its start, then within its file."""
@@ -123,7 +123,8 @@ def _hook(points):
         if armed:
             points.die()
 
-    model_files.to_the_end = step_fragments.to_the_end = native
+    for module in (model_files, step_fragments, ifc_fragments):
+        module.to_the_end = native
 
 
 def run(action, kill_at=0, limit=120):
@@ -137,7 +138,7 @@ def run(action, kill_at=0, limit=120):
             os.close(read)
             signal.setitimer(signal.ITIMER_PROF, limit)
             signal.alarm(10 * limit)
-            with open(os.devnull, "w") as nothing:
+            with open(os.devnull, "w", encoding="utf-8") as nothing:
                 os.dup2(nothing.fileno(), 1)
                 if kill_at:
                     os.dup2(nothing.fileno(), 2)

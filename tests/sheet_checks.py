@@ -78,10 +78,9 @@ def _crossed(texts: list[Text], boxes: np.ndarray, lines) -> list[str]:
 
 def _outside(sheet: Sheet, texts, boxes, lines):
     left, bottom, right, top = sheet.frame
-    for text, box in zip(texts, boxes, strict=True):
-        (x0, y0), (x1, y1) = box.min(axis=0), box.max(axis=0)
-        if x0 < left or y0 < bottom or x1 > right or y1 > top:
-            yield repr(text.text)
+    low, high = boxes.min(axis=1) < (left, bottom), boxes.max(axis=1) > (right, top)
+    for number in np.flatnonzero((low | high).any(axis=1)):
+        yield repr(texts[number].text)
     for line in lines:
         x, y = zip(*line.points)
         if min(x) < left - 1e-6 or max(x) > right + 1e-6:

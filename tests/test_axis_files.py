@@ -89,6 +89,29 @@ def test_a_circle_in_its_own_plane_is_a_closed_axis(drawing):
     assert np.abs(points[:, 1] - 3e3).max() < 1e-6
 
 
+def test_a_layer_of_texts_alone_holds_no_curves(tmp_path):
+    document = ezdxf.new("R2000", units=4)
+    document.layers.add("Notes")
+    document.layers.add("BARE")
+    space = document.modelspace()
+    space.add_text("axis", dxfattribs={"layer": "Notes"})
+    space.add_text("axis", dxfattribs={"layer": "undeclared"})
+    for layer in ("A1", "A2"):
+        space.add_line((0, 0, 0), (9e3, 0, 0), dxfattribs={"layer": layer})
+    document.saveas(tmp_path / "axes.dxf")
+    for given, layer in (("notes", "Notes"), ("BARE", "BARE"), ("undeclared", "undeclared")):
+        with pytest.raises(BendTorsionError) as caught:
+            dxf_axis(tmp_path / "axes.dxf", given)
+        [finding] = caught.value.findings
+        assert finding.code == "axis-source-empty"
+        assert finding.message == f"layer {layer} holds no curves, lines or points"
+        assert finding.mend == "use A1, A2"
+    with pytest.raises(BendTorsionError) as caught:
+        dxf_axis(tmp_path / "axes.dxf", "NOWHERE")
+    [finding] = caught.value.findings
+    assert finding.code == "axis-source-name" and finding.mend == "use A1, A2"
+
+
 def test_entities_answer_to_their_handles_and_names_are_listed(drawing):
     handles = [name for name, source in dxf_axes(drawing).items() if source.points is not None]
     assert len(handles) == 1 + 4
@@ -102,11 +125,11 @@ def test_entities_answer_to_their_handles_and_names_are_listed(drawing):
 
 def test_a_file_that_is_no_drawing_is_refused(tmp_path):
     bad = tmp_path / "bad.dxf"
-    bad.write_text("nothing of the kind")
-    for path in (bad, tmp_path / "missing.dxf"):
+    bad.write_text("nothing of the kind", encoding="utf-8")
+    for path, code in ((bad, "axis-file"), (tmp_path / "missing.dxf", "file-missing")):
         with pytest.raises(BendTorsionError) as caught:
             dxf_axis(path)
-        assert caught.value.findings[0].code == "axis-file"
+        assert caught.value.findings[0].code == code
 
 
 def test_named_curves_of_step_files_come_back_exactly(tmp_path):

@@ -22,9 +22,9 @@ def codes(axis):
     return [finding.code for finding in axis.findings]
 
 
-def refusal(**given):
+def refusal(surface=HALL, **given):
     with pytest.raises(BendTorsionError) as caught:
-        axis_from(AxisInput("A1", **given), HALL)
+        axis_from(AxisInput("A1", **given), surface)
     return caught.value.findings[0]
 
 
@@ -172,6 +172,33 @@ def test_points_that_would_give_a_wrong_curve_are_refused(points, code, words):
     assert words.split()[0] in finding.line() or code == "axis-too-few-points"
 
 
+@pytest.mark.parametrize(
+    ("axis", "surface", "words"),
+    [
+        (1e-3, 1.0, "coordinates are likely in metres"),
+        (1.0, 1e-3, "surface is likely in metres and taken for mm"),
+        (1e3, 1.0, "coordinates are likely in mm and taken for metres"),
+        (1.0, 1e3, "surface is likely in mm and taken for metres"),
+        (1.0, 0.1, "surface is likely in centimetres and taken for mm"),
+        (1.0, 1 / 25.4, "surface is likely in inches and taken for mm"),
+        (0.1, 1.0, "coordinates are likely in centimetres"),
+    ],
+)
+def test_whichever_of_axis_and_surface_is_in_another_unit_is_told(axis, surface, words):
+    hall = Ellipsoid(*(surface * size for size in (HALL.a, HALL.b, HALL.c)))
+    finding = refusal(hall, points=axis * POINTS)
+    assert finding.code == "axis-far-from-surface" and words in finding.message
+
+
+def test_an_axis_is_not_small_enough_for_any_unit_where_the_surface_passes_the_origin():
+    """A ring 10 m wide at the level of the crown of a dome, 2.7 m above it: a thousandth of it
+    would be next to the crown, and is no axis of the dome."""
+    turn = np.linspace(0.0, 1.9 * np.pi, 12)
+    ring = 10e3 * np.column_stack([np.cos(turn), np.sin(turn), 0.0 * turn])
+    finding = refusal(Sphere(20e3, (0.0, 0.0, -20e3)), points=ring)
+    assert finding.code == "axis-far-from-surface" and "likely" not in finding.message
+
+
 def test_a_size_in_metres_is_told_without_a_surface():
     axis = fit_axis("A", POINTS / 1000)
     assert codes(axis) == ["axis-size"] and "metres" in axis.findings[0].message
@@ -272,3 +299,24 @@ def test_curvature_before_and_after_is_that_of_a_circle():
 def test_exact_curves_leave_nothing_open():
     line = Curve(1, np.array([0, 0, 1, 1.0]), POINTS[[0, 1]])
     assert axis_uncertainty(AxisInput("A", curve=line), None).largest == 0.0
+
+
+def test_an_exact_curve_far_from_its_surface_is_refused_as_points_are():
+    """Wherever it comes from; fit keep says that it is meant to be there."""
+    arc = fit_axis("A", POINTS, HALL).curve
+    far = Curve(arc.degree, arc.knots, arc.poles + [0, 0, 20e3], arc.weights)
+    metres = Curve(arc.degree, arc.knots, arc.poles / 1000, arc.weights)
+    for curve, words in ((far, "far"), (metres, "metres")):
+        with pytest.raises(BendTorsionError) as refused:
+            axis_from(AxisInput("A", curve=curve), HALL)
+        [finding] = refused.value.findings
+        assert (finding.code, finding.severity) == ("axis-far-from-surface", "error")
+        assert words in finding.message and finding.value > finding.limit
+        points = curve.evaluate(np.linspace(*curve.domain, 9))[0]
+        of_points = refusal(points=points)
+        assert (of_points.code, of_points.mend) == (finding.code, finding.mend)
+        kept = axis_from(AxisInput("A", curve=curve, fit="keep"), HALL)
+        assert [f.severity for f in kept.findings if f.code == finding.code] == ["warning"]
+    near = Curve(arc.degree, arc.knots, arc.poles + [0, 0, 20], arc.weights)
+    [left] = axis_from(AxisInput("A", curve=near), HALL).findings
+    assert left.severity == "warning" and "leaves" in left.message

@@ -26,7 +26,9 @@ def told(**environment):
     root = Path(__file__).resolve().parent.parent
     given = {**os.environ, "PYTHONPATH": str(root), **environment}
     command = [sys.executable, "-c", FITTED]
-    run = subprocess.run(command, cwd=root, env=given, capture_output=True, text=True, check=True)
+    run = subprocess.run(
+        command, cwd=root, env=given, capture_output=True, encoding="utf-8", check=True
+    )
     return run.stdout.split()
 
 
@@ -43,5 +45,5 @@ def test_a_program_that_has_loaded_numpy_keeps_its_threads(loaded):
     there = f"import sys, types; sys.modules[{loaded!r}] = types.ModuleType({loaded!r})"
     script = f"{there}\nimport BendTorsionWB, os; print(os.environ['OPENBLAS_NUM_THREADS'])"
     command = [sys.executable, "-c", script]
-    run = subprocess.run(command, env=given, capture_output=True, text=True, check=True)
+    run = subprocess.run(command, env=given, capture_output=True, encoding="utf-8", check=True)
     assert run.stdout.strip() == "3"

@@ -123,7 +123,7 @@ def run(*arguments, hash_seed="1"):
         [sys.executable, "-m", "BendTorsionWB", *map(str, arguments)],
         cwd=ROOT,
         capture_output=True,
-        text=True,
+        encoding="utf-8",
         timeout=300,
         env={**os.environ, "PYTHONHASHSEED": hash_seed},
     )
@@ -169,7 +169,6 @@ def built(tmp_path_factory):
     return path, folder / "out", run("build", path, "--out", folder / "out", "--jobs", 2)
 
 
-@pytest.mark.slow
 def test_a_good_build_ends_with_0_and_a_table(built):
     _, _, process = built
     assert process.returncode == 0, process.stderr
@@ -177,7 +176,6 @@ def test_a_good_build_ends_with_0_and_a_table(built):
     assert "M1" in process.stdout and "M2" in process.stdout and "limits" in process.stdout
 
 
-@pytest.mark.slow
 def test_the_report_has_the_keys_promised_and_names_the_files_that_are_there(built):
     _, out, _ = built
     content = report(out)
@@ -210,7 +208,6 @@ def test_the_report_has_the_keys_promised_and_names_the_files_that_are_there(bui
     assert set(files(out)) - boards == named | whole
 
 
-@pytest.mark.slow
 def test_cut_files_hold_the_plates_of_the_report(built):
     _, out, _ = built
     plates = {p["mark"]: p for m in report(out)["members"] for p in m["plates"]}
@@ -226,7 +223,6 @@ def test_cut_files_hold_the_plates_of_the_report(built):
         )
 
 
-@pytest.mark.slow
 def test_the_step_file_holds_the_solids_with_their_mass(built):
     _, out, _ = built
     shape = Part.Shape()
@@ -237,7 +233,6 @@ def test_the_step_file_holds_the_solids_with_their_mass(built):
     assert mass == pytest.approx(sum(m["mass_kg"] for m in members), rel=1e-4)
 
 
-@pytest.mark.slow
 def test_the_model_opens_and_a_recompute_changes_nothing(built, tmp_path):
     _, out, _ = built
     copy = shutil.copy(out / "model.FCStd", tmp_path / "model.FCStd")
@@ -256,7 +251,6 @@ def test_the_model_opens_and_a_recompute_changes_nothing(built, tmp_path):
         FreeCAD.closeDocument(document.Name)
 
 
-@pytest.mark.slow
 def test_the_same_schedule_gives_the_same_bytes(built, tmp_path):
     path, out, _ = built
     again = tmp_path / "again"
@@ -268,21 +262,20 @@ def test_the_same_schedule_gives_the_same_bytes(built, tmp_path):
     assert zipfile.ZipFile(first["model.FCStd"]).testzip() is None
 
 
-@pytest.mark.slow
 def test_a_rerun_replaces_its_own_files_only_and_removes_what_went(built, tmp_path):
     path, out, _ = built
     here = tmp_path / "out"
     shutil.copytree(out, here)
-    (here / "plates" / "mine.dxf").write_text("mine")
-    (here / "notes.txt").write_text("mine")
+    (here / "plates" / "mine.dxf").write_text("mine", encoding="utf-8")
+    (here / "notes.txt").write_text("mine", encoding="utf-8")
     book = openpyxl.load_workbook(path)
     book["Splits"].delete_rows(2, 2)
     fewer = tmp_path / "fewer.xlsx"
     book.save(fewer)
     process = run("build", fewer, "--out", here, "--only", "M1")
     assert process.returncode == 0, process.stderr
-    assert (here / "plates" / "mine.dxf").read_text() == "mine"
-    assert (here / "notes.txt").read_text() == "mine"
+    assert (here / "plates" / "mine.dxf").read_text(encoding="utf-8") == "mine"
+    assert (here / "notes.txt").read_text(encoding="utf-8") == "mine"
     before = {p["mark"] for p in report(out)["members"][0]["plates"]}
     after = {p["mark"] for m in report(here)["members"] for p in m["plates"] if m["member"] == "M1"}
     assert after < before
@@ -294,7 +287,6 @@ def test_a_rerun_replaces_its_own_files_only_and_removes_what_went(built, tmp_pa
     }
 
 
-@pytest.mark.slow
 def test_members_that_intersect_fail_and_the_others_are_whole(built, tmp_path):
     _, out, _ = built
     crossing = [*APART, short(0.02, 0.22, 60.0)]
@@ -321,7 +313,6 @@ def test_members_that_intersect_fail_and_the_others_are_whole(built, tmp_path):
     assert len(shape.Solids) == len(members["M2"]["plates"])
 
 
-@pytest.mark.slow
 def test_without_a_healthy_member_the_report_says_so_and_no_solids_stay(built, tmp_path):
     _, out, _ = built
     path = schedule(tmp_path / "both.xlsx", [APART[0], short(0.02, 0.22, 60.0)])
@@ -345,10 +336,10 @@ BAD = {
     "transition past the end": ({("Members", 3, "cut"): "99.9%"}, ("Members", "cut")),
     "section larger than the bend": (
         {
-            ("Sections", 2, "h"): 60000,
-            ("Sections", 2, "b"): 60000,
-            ("Sections", 3, "h"): 60000,
-            ("Sections", 3, "b"): 60000,
+            ("Sections", 2, "h"): 49000,
+            ("Sections", 2, "b"): 49000,
+            ("Sections", 3, "h"): 49000,
+            ("Sections", 3, "b"): 49000,
         },
         ("Members",),
     ),
@@ -369,7 +360,7 @@ def test_a_bad_schedule_ends_with_2_one_line_each_and_nothing_written(case, tmp_
 
 def test_a_file_that_is_no_workbook_ends_with_2(tmp_path, tell):
     path = tmp_path / "notes.xlsx"
-    path.write_text("not a workbook")
+    path.write_text("not a workbook", encoding="utf-8")
     for name in (path, tmp_path / "missing.xlsx"):
         code, _, [line] = tell("build", name, "--out", tmp_path / "out")
         assert code == 2 and not (tmp_path / "out").exists() and name.name in line
@@ -412,7 +403,7 @@ def test_check_tells_lengths_in_the_unit_of_the_sheets(tmp_path, tell):
 
 def test_a_folder_that_cannot_be_written_is_one_line(tmp_path, tell):
     path = schedule(tmp_path / "two.xlsx", APART)
-    (tmp_path / "file").write_text("in the way")
+    (tmp_path / "file").write_text("in the way", encoding="utf-8")
     out = tmp_path / "file" / "out"
     code, _, [line] = tell("build", path, "--out", out, "--only", "M2", "--jobs", 1)
     assert code == 2 and "file" in line and "->" in line

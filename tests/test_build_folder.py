@@ -31,12 +31,11 @@ def only_member(target: Path, name: str) -> Path:
     return target
 
 
-@pytest.mark.slow
 def test_files_of_a_member_go_with_it_even_after_a_partial_build(tmp_path):
     out = tmp_path / "out"
     project.build(HALL, out, ["M1", "M7"])
     mine, other = cut_files(out, "M1"), cut_files(out, "M7")
-    (out / "plates" / "M7-notes.txt").write_text("not ours")
+    (out / "plates" / "M7-notes.txt").write_text("not ours", encoding="utf-8")
     # A PDF, a DXF and an NC1 file per plate, and templates at the ends and between.
     assert len(mine) > 51 and len(other) > 9
     for member, found in (("M1", mine), ("M7", other)):
@@ -49,7 +48,7 @@ def test_files_of_a_member_go_with_it_even_after_a_partial_build(tmp_path):
 
 
 def test_a_folder_that_cannot_be_is_refused_before_anything_is_computed(tmp_path, monkeypatch):
-    (tmp_path / "file").write_text("")
+    (tmp_path / "file").write_text("", encoding="utf-8")
     monkeypatch.setattr(project, "detail_members", lambda *_: pytest.fail("computed"))
     for out in (tmp_path / "file", tmp_path / "file" / "below"):
         with pytest.raises(BendTorsionError) as problem:

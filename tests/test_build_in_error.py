@@ -43,7 +43,7 @@ def issued(first, tmp_path):
 
 def listed(path, *rows):
     target = path.parent / "cut.csv"
-    target.write_text("plate,status\n" + "".join(f"{row}\n" for row in rows))
+    target.write_text("plate,status\n" + "".join(f"{row}\n" for row in rows), encoding="utf-8")
     return target
 
 
@@ -101,7 +101,7 @@ def test_a_member_in_error_is_not_issued(issued, monkeypatch):
     monkeypatch.setattr("BendTorsionWB.shapes.clash.clashes", lambda *given: (found,))
     assert build(path, out).failed
     assert refused(out) == [("issue-in-error", "M1, M2")]
-    plates = json.loads((out / "revision.json").read_text())["plates"]
+    plates = json.loads((out / "revision.json").read_text(encoding="utf-8"))["plates"]
     assert {plate["what"] for plate in plates} == {"same"}, "no file of theirs to have other marks"
     monkeypatch.undo()
     assert not build(path, out).failed
@@ -184,7 +184,10 @@ def test_a_plate_that_cannot_be_trimmed_is_questioned(issued):
     edit(path, {("Members", 4, "section"): "B620"})
     result = build(path, out, "M2-L1,trim")
     [told] = of_code(result, "cut-plate-no-trim")
-    assert told.severity == "error" and "cannot be trimmed: scrap: " in told.message
+    assert (
+        told.severity == "error" and f"cannot be trimmed, {told.value:.2f} mm off" in told.message
+    )
+    assert ": scrap: " in told.message
     assert "scrap" in told.mend and result.failed
     assert not build(path, out, "M2-L1,scrap").failed
     # What can be trimmed may be scrapped.

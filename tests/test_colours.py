@@ -50,6 +50,16 @@ def test_the_scale_rises_in_lightness_and_holds_its_ends():
     assert ColourScale(1.0, 1.0).colours(np.ones(3)).shape == (3, 3)
 
 
+def test_every_colour_of_the_scale_stands_out_from_a_dark_view():
+    dark = lightness((0x21 / 255, 0x25 / 255, 0x2B / 255))
+    seen = [lightness(colour) for colour in ColourScale(0.0, 1.0).colours(np.linspace(0, 1, 101))]
+    assert (min(seen) + 0.05) / (dark + 0.05) >= 3.0
+    # Told apart at five steps, by a green-blind eye too.
+    steps = [deuteranope(colour) for colour in ColourScale(0.0, 1.0).colours(np.linspace(0, 1, 5))]
+    for one, other in zip(steps, steps[1:], strict=False):
+        assert np.linalg.norm(one - other) > 0.1
+
+
 def test_forming_classes_are_told_apart_by_a_green_blind_eye():
     seen = [deuteranope(colour) for colour in CLASS_COLOURS.values()]
     for i, one in enumerate(seen):
@@ -81,6 +91,19 @@ def test_every_figure_has_its_colour_and_legend():
     assert thick.colours[0] == thick.colours[2] == thick.legend[0][1]
     assert {"none", "forming", "strain", "length error", "thickness"} < set(COLOUR_BY)
     assert hex_text((1.0, 0.5, 0.0)) == "#ff8000"
+
+
+def test_figures_that_are_written_alike_have_one_colour_and_one_line():
+    """On a scale of their own and on a common one; one that is told apart stays so."""
+    plates = [rectangle(name, length_error_max=error) for name, error in (("A", 0.0), ("B", 4e-5))]
+    for between in (None, (0.0, 4.5e-5)):
+        found = colouring(plates, "length error", between)
+        assert found.colours[0] == found.colours[1]
+        assert found.legend == (("0.0000 mm", found.colours[0]),)
+    alike = [rectangle(name, thickness=16.0 + wear) for name, wear in (("A", 0.0), ("B", 1e-9))]
+    assert [text for text, _ in colouring(alike, "thickness").legend] == ["16 mm"]
+    apart = colouring(plates, "length error", (0.0, 0.01))
+    assert len(apart.legend) == 5 and apart.legend[0][1] == apart.colours[0]
 
 
 def test_plates_coloured_by_how_they_are_bent_and_twisted():

@@ -31,10 +31,9 @@ def built(tmp_path_factory):
 
 
 def report(out):
-    return json.loads((out / "report.json").read_text())
+    return json.loads((out / "report.json").read_text(encoding="utf-8"))
 
 
-@pytest.mark.slow
 def test_export_writes_the_files_of_the_document_as_it_is(built, tmp_path, capsys):
     _, out = built
     flags = ["--no-sheets", "--jobs", "1"]
@@ -75,7 +74,6 @@ def test_a_second_export_leaves_the_cut_files_as_they_are(built, tmp_path):
     assert {p: p.stat().st_mtime_ns for p in when} == when and when
 
 
-@pytest.mark.slow
 def test_report_of_a_schedule_and_of_its_document_tell_the_same(built, tmp_path, capsys):
     path, out = built
     tables = []
@@ -83,13 +81,12 @@ def test_report_of_a_schedule_and_of_its_document_tell_the_same(built, tmp_path,
         target = tmp_path / f"{source.stem}.json"
         assert main(["report", str(source), "--jobs", "1", "--report", str(target)]) == 0
         tables.append(capsys.readouterr().out)
-        assert json.loads(target.read_text())["members"] == report(out)["members"]
+        assert json.loads(target.read_text(encoding="utf-8"))["members"] == report(out)["members"]
     assert tables[0] == tables[1] and "M1" in tables[0]
     assert main(["report", str(path), "--only", "M2", "--report", str(tmp_path / "r.xlsx")]) == 0
     assert openpyxl.load_workbook(tmp_path / "r.xlsx")["Summary"]["A2"].value == "M2"
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", ["back.xlsx", "back.csv"])
 def test_export_to_a_workbook_writes_the_document_back(built, tmp_path, capsys, name):
     path, out = built
@@ -137,6 +134,7 @@ def test_two_members_of_one_name_in_a_document_and_in_a_schedule(tmp_path, capsy
     assert main(["check", str(path)]) == 2
     [line] = capsys.readouterr().err.splitlines()
     assert "segment 1 of M1 is already in row 2" in line and "another name" in line
+    assert "two members share the name, or the segment is given twice, in rows 2 and 4" in line
 
 
 def test_a_cycle_of_links_is_named_and_nothing_stale_is_exported(tmp_path, capsys):
@@ -217,7 +215,6 @@ def test_a_full_disk_is_one_line_and_leaves_whole_files(tmp_path, capsys, monkey
     assert main(arguments) == 0
 
 
-@pytest.mark.slow
 def test_a_full_disk_while_the_model_is_saved_leaves_the_former_one(built, tmp_path, monkeypatch):
     from BendTorsionWB.core.finding import BendTorsionError
     from BendTorsionWB.model_files import save
@@ -237,6 +234,18 @@ def test_a_full_disk_while_the_model_is_saved_leaves_the_former_one(built, tmp_p
         assert [p.name for p in tmp_path.iterdir()] == ["model.FCStd"]
     finally:
         FreeCAD.closeDocument(document.Name)
+
+
+def test_a_member_that_is_not_there_is_told_with_the_nearest_name(built, capsys):
+    path, out = built
+    for source in (path, out / "model.FCStd"):
+        assert main(["report", str(source), "--only", "m2,Rib"]) == 2
+        name = "model" if source.suffix == ".FCStd" else source.name
+        assert capsys.readouterr().err.splitlines() == [
+            f"error: {name}: there is no such member (value m2, limit M1, M2) -> did you mean M2?",
+            f"error: {name}: there is no such member (value Rib, limit M1, M2) "
+            "-> use names of its members",
+        ]
 
 
 def test_a_fault_of_the_program_is_one_line_and_debug_tells_where(tmp_path, capsys, monkeypatch):
@@ -290,7 +299,7 @@ def test_no_name_of_a_member_is_not_all_of_them(tmp_path, capsys, command, names
 
 def test_every_command_and_option_is_in_the_documentation():
     """And no other is."""
-    text = (Path(__file__).parent.parent / "docs/projects.md").read_text()
+    text = (Path(__file__).parent.parent / "docs/projects.md").read_text(encoding="utf-8")
     rows = [line.split("|") for line in text.splitlines() if line.startswith("| `")]
     told = {word for row in rows for word in re.findall(r"`(--[a-z-]+|[a-z]+)\b", row[1])}
     [commands] = [a for a in arguments.parser()._actions if a.dest == "command"]
@@ -324,7 +333,7 @@ def test_ctrl_c_while_the_program_starts_is_one_line():
         [sys.executable, "-c", words],
         cwd=Path(__file__).resolve().parent.parent,
         capture_output=True,
-        text=True,
+        encoding="utf-8",
     )
     assert process.returncode in (130, -2)
     assert process.stderr == "stopped; files already written are whole\n"

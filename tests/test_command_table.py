@@ -36,6 +36,7 @@ PROMISED = {
     "Node": ("Node", {"Member", "Node"}),
     "Development": ("Development", {"Member", "PlateSet", "Unfold"}),
     "AssemblyBed": ("Assembly bed", {"Member", "PlateSet", "AssemblyBed"}),
+    "FitMembers": ("Fit members", {"Member", "PlateSet"}),
     "ShowAs": ("Plates, skin or axis", {"Member"}),
     "ShowFrames": ("Show frames", {"Axis", "Member"}),
     "ShowMarks": ("Show marks", {"PlateSet"}),

@@ -69,3 +69,24 @@ def test_crossings_are_control_points(model):
     document.recompute()
     assert one.CrossingPlaces == pytest.approx([20000 * np.radians(20)], abs=0.01)
     assert one.CrossingPoints[0].Length == pytest.approx(20000, abs=0.005)
+
+
+def test_points_on_a_large_section_are_near_however_far_its_axis_is(model):
+    """A section of 2.5 m held by its corner reaches 3.5 m; a point beside it is refused."""
+    document, one, _, member = model
+    for k in (1, 2):
+        getattr(member, f"Section{k}").Height = getattr(member, f"Section{k}").Breadth = 2500.0
+        setattr(member, f"Align{k}", "top-left")
+    member.CutBy2 = "point"
+    out = FreeCAD.Vector(one.Points[4]).normalize()
+    away = FreeCAD.Vector(0, 1, 0)
+    # By the left end of the outer face, the opposite corner is 2.5 m to the right and inward.
+    corner = one.Points[4] - 2450.0 * out - 2450.0 * away
+    member.CutPoint2 = corner
+    document.recompute()
+    assert member.Status == "ok", member.Findings
+    assert cut(member) == pytest.approx(20000 * np.radians(25), abs=1.0)
+    assert make.add_cut(member, tuple(corner - 100.0 * out)) in (2, 3)
+    member.CutPoint2 = one.Points[4] + 5000.0 * out
+    document.recompute()
+    assert "cut-point-far" in member.Findings[0]

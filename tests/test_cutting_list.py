@@ -61,7 +61,7 @@ def test_no_cell_of_any_list_is_a_formula_and_all_read_back_as_they_were(tmp_pat
     nasty = ["=1+1", "+A1", "-A1", "@SUM(A1)", "\tx", "'quoted", "-12.5", "+3", "plain", "-5%"]
     path = tmp_path / "list.csv"
     path.write_bytes(csv_bytes([["name"], *([cell] for cell in nasty), [-4.5], [None]]))
-    written = [row[0] for row in csv.reader(io.StringIO(path.read_text("utf-8-sig")))]
+    written = [row[0] for row in csv.reader(io.StringIO(path.read_text(encoding="utf-8-sig")))]
     formulas = [c for c in written if c[:1] in ("=", "+", "-", "@", "\t") and not number(c)]
     assert formulas == []
     assert [row[0] for row in read_csv(path)][1:-2] == nasty

@@ -102,7 +102,7 @@ def test_content_hashes_are_the_same_in_every_process():
         subprocess.run(
             [sys.executable, "-c", program, str(ROOT), str(ROOT / "tests")],
             capture_output=True,
-            text=True,
+            encoding="utf-8",
             check=True,
             env={"PYTHONHASHSEED": seed},
         ).stdout.strip()

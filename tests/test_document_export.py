@@ -13,8 +13,6 @@ from BendTorsionWB.document_export import (
     write_figures,
 )
 
-pytestmark = pytest.mark.slow
-
 
 @pytest.fixture(scope="module")
 def exported(built, tmp_path_factory):
@@ -44,7 +42,9 @@ def test_every_file_of_the_build_is_there_and_the_same_to_the_byte(exported):
     assert differing == []
     # Both name the files of their folder; the export holds no FreeCAD document.
     for name in ("report.html", "README.txt"):
-        one, other = ((folder / name).read_text().splitlines() for folder in exported)
+        one, other = (
+            (folder / name).read_text(encoding="utf-8").splitlines() for folder in exported
+        )
         assert [line for line in one if "model.FCStd" not in line] == other
 
 

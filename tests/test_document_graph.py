@@ -334,3 +334,15 @@ def test_a_number_that_is_none_is_an_error_by_name_and_recovers(model, value):
         setattr(obj, name, kept)
         model.document.recompute()
     assert model.figures() == before
+
+
+def test_measuring_lines_without_end_are_refused(model):
+    """A slip of the unit would ask for millions of them."""
+    plates = model.document.getObjectsByLabel("M1 plates")[0]
+    plates.StationSpacing = 1e-7
+    model.document.recompute()
+    assert "station-spacing" in plates.Findings[0] and '"limit": 10.0' in plates.Findings[0]
+    assert empty(plates)
+    plates.StationSpacing = 10
+    model.document.recompute()
+    assert plates.Status == "ok"

@@ -97,7 +97,6 @@ def test_arcs_are_kept_clear_of_not_their_chords():
     assert room.clear(places) == 1
 
 
-@pytest.mark.slow
 def test_texts_of_real_plates_cross_no_line_no_contour_and_no_other_text(built):
     _, out, _ = built
     crossed, count = [], 0

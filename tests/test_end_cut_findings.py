@@ -24,8 +24,6 @@ from BendTorsionWB.core.members.strips import strip_rails
 from BendTorsionWB.core.members.zones import Segment
 from BendTorsionWB.core.plates.plates import Joints, split_plates
 
-SKEW = EndCut("plane", normal=(1.0, 0.0, 0.6))
-
 
 @pytest.mark.parametrize(
     ("cut", "code"),

@@ -17,8 +17,6 @@ from package_build import SITE, plates_of
 from BendTorsionWB.core.colour_scale import FACE_COLOURS
 from BendTorsionWB.exchange.dxf_bevels import edge_texts
 
-pytestmark = pytest.mark.slow
-
 QUANTITIES = (
     ("Width", "thickness_mm", 1.0),
     ("NetArea", "area_mm2", 1e-6),
@@ -95,7 +93,7 @@ def run_quietly(command, folder):
     """Run a Qt program without a screen, with a home of its own."""
     environment = {"PATH": "/usr/bin:/bin", "HOME": str(folder), "QT_QPA_PLATFORM": "offscreen"}
     process = subprocess.run(
-        command, cwd=folder, env=environment, capture_output=True, text=True, timeout=300
+        command, cwd=folder, env=environment, capture_output=True, encoding="utf-8", timeout=300
     )
     assert process.returncode == 0, process.stderr[-2000:]
 
@@ -125,6 +123,6 @@ def test_sheets_are_searchable_by_every_mark(built):
     for record in result.records:
         path = out / "sheets" / f"{record.member}.pdf"
         text = subprocess.run(
-            ["pdftotext", path, "-"], capture_output=True, text=True, timeout=120
+            ["pdftotext", path, "-"], capture_output=True, encoding="utf-8", timeout=120
         ).stdout
         assert all(plate.mark in text for plate in record.plates)

@@ -70,7 +70,7 @@ def test_a_file_that_should_tell_its_unit_and_does_not_is_questioned():
 )
 def test_the_unit_of_a_step_file(tmp_path, text, unit):
     path = tmp_path / "roof.step"
-    path.write_text(f"ISO-10303-21;\nDATA;\n#1={text}\nENDSEC;\n")
+    path.write_text(f"ISO-10303-21;\nDATA;\n#1={text}\nENDSEC;\n", encoding="utf-8")
     assert unit_of(path) == unit
 
 
@@ -144,6 +144,58 @@ def test_check_shows_unit_and_size_and_doubts(tmp_path, capsys):
     assert "roof.step" in printed.out + printed.err
 
 
+def sphere_file(folder, radius):
+    """A STEP file in mm of a sphere, and the name of it."""
+    document = FreeCAD.newDocument("roof", hidden=True)
+    try:
+        shell = document.addObject("Part::Feature", "Roof")
+        shell.Shape = Part.makeSphere(radius).Faces[0]
+        Part.export([shell], str(folder / "roof.step"))
+    finally:
+        FreeCAD.closeDocument(document.Name)
+    return "roof.step"
+
+
+@pytest.mark.parametrize("command", ["check", "build"])
+def test_a_surface_in_the_wrong_unit_is_questioned_when_its_axis_fails(tmp_path, capsys, command):
+    path = write_schedule(
+        tmp_path / "hall.xlsx",
+        [["Hall", "file", sphere_file(tmp_path, 20.0), None]],
+        [["A1", "Hall", None, None, None, None, None]],
+        [["M1", "A1"]],
+        POINTS,
+    )
+    out = ["--out", str(tmp_path / "out")] if command == "build" else []
+    assert main([command, str(path), *out, "--jobs", "1"]) == 2
+    told = [line for line in capsys.readouterr().err.splitlines() if ":" in line]
+    note, doubt, error = told
+    assert note.startswith("note: roof.step") and "0.040 x 0.040 x 0.040 m" in note
+    assert "(value" not in note
+    assert doubt.startswith("warning: roof.step") and "0.06928 m" in doubt
+    assert "the surface is likely in metres and taken for mm" in error
+    assert "1000 times larger" in error
+    assert main([command, str(path), *out, "--jobs", "1", "--quiet"]) == 2
+    [only] = capsys.readouterr().err.splitlines()
+    assert only == error
+
+
+def test_a_drawing_that_tells_a_wrong_unit_is_questioned_when_its_axis_fails(tmp_path, capsys):
+    document = ezdxf.new(units=6)
+    document.modelspace().add_arc((0, 0, 0), 20000.0, 0.0, 90.0, dxfattribs={"layer": "A1"})
+    document.saveas(tmp_path / "axes.dxf")
+    path = write_schedule(
+        tmp_path / "hall.xlsx",
+        [["Hall", "sphere", None, "r=20000"]],
+        [["A1", "Hall", None, "axes.dxf#A1", None, None, None]],
+        [["M1", "A1"]],
+    )
+    assert main(["check", str(path), "--jobs", "1"]) == 2
+    note, doubt, error = (line for line in capsys.readouterr().err.splitlines() if ":" in line)
+    assert "unit m;" in note and "is its unit right?" in doubt
+    assert "the coordinates are likely in mm and taken for metres" in error
+    assert " at x, y, z" in error and "at at" not in error
+
+
 def test_the_box_of_a_surface_is_that_of_its_faces_and_not_of_its_poles(tmp_path):
     half = FreeCAD.Matrix()
     half.scale(2.0, 1.5, 1.0)
@@ -179,10 +231,11 @@ def test_without_rhino3dm_a_rhino_file_is_one_clear_line(tmp_path, monkeypatch):
     path = write_schedule(
         tmp_path / "hall.xlsx",
         [["Hall", "file", "roof.3dm#Dome", None]],
-        [["A1", "Hall", None, None, None, None, None]],
+        [["A1", "Hall", None, "roof.3dm#A1", None, None, None]],
         [["M1", "A1"]],
-        POINTS,
     )
+    # A surface and an axis, and the package is missing once.
+    assert project.read_schedule(path).axis("A1").source.file == "roof.3dm"
     with pytest.raises(BendTorsionError) as problem:
         project.read_jobs(path)
     [finding] = problem.value.findings

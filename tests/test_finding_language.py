@@ -26,6 +26,7 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "scripts"))
 import findings_table  # noqa: E402
 import findings_texts  # noqa: E402
+import translations  # noqa: E402
 
 CJK = re.compile(r"[\u4e00-\u9fff]")
 KNOWN = json.loads(TABLE.read_text(encoding="utf-8"))
@@ -104,7 +105,7 @@ def test_each_template_is_found_again_with_values_put_in():
 
 def test_values_that_are_texts_or_words_are_chinese_too():
     known = {
-        "a joint of face top is too close to the end of a piece": "面上的拼接离单元端部过近",
+        "a joint of face top is too close to the end of a piece": "面上的拼接缝离单元端部过近",
         "'x' is no preparation of sheet Preps: the preparation cannot be read: "
         "7": "坡口无法读取：7",
         "X meets Y at the change of section of Y": "截面变化处",
@@ -133,6 +134,26 @@ def test_names_and_what_is_typed_stay_as_they_are():
     assert "end" in chinese("did you mean end?")
 
 
+CHOSEN = re.compile(
+    r"(?<![\w=-])(keep|minimal|fixed|elastic|energy|edges|direct|link|frame given|frame surface"
+    r"|隔板设为 none|隔板设为 flanges)(?![\w-])(（[^）]*）)?",
+    re.ASCII,
+)
+"""Codes of choices that fields of the window offer by their names."""
+
+
+def test_what_the_window_calls_a_choice_stands_behind_its_code():
+    """Who reads `fit = keep` finds it in the window under another name."""
+    window = translations.translations(translations.FOLDER / "BendTorsion_zh-CN.ts")
+    found = {}
+    for told in KNOWN.values():
+        for code, name in CHOSEN.findall(told):
+            word = code.split()[-1]
+            assert window["BendTorsion", word] in name, told
+            found[word] = name
+    assert len(found) > 10
+
+
 def test_texts_without_a_template_stay_english():
     for text in ("nothing of the kind was ever said", "", "é", "off"):
         assert chinese(text) == text
@@ -151,7 +172,7 @@ def test_a_line_has_severity_place_message_figures_and_mend():
         unit="mm",
     )
     line = chinese_line(found)
-    assert line.startswith("错误：M1，s = 3200 mm：面上的拼接")
+    assert line.startswith("错误：M1，s = 3200 mm：面上的拼接缝离节点过近")
     assert "（实际 470.5 mm，限值至少 600 mm）。请" in line
     own = chinese_finding(found)
     assert (own.severity, own.code, own.value) == (found.severity, found.code, found.value)

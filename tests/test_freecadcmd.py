@@ -44,10 +44,9 @@ with open(os.path.join(out, "result.json"), "w") as stream:
 """
 
 
-@pytest.mark.slow
 def test_a_script_builds_changes_saves_and_reopens(tmp_path):
     script = tmp_path / "rib.py"
-    script.write_text(SCRIPT)
+    script.write_text(SCRIPT, encoding="utf-8")
     environment = os.environ | {
         "HOME": str(tmp_path),
         "FREECAD_USER_HOME": str(tmp_path / "freecad"),
@@ -63,7 +62,7 @@ def test_a_script_builds_changes_saves_and_reopens(tmp_path):
         timeout=120,
     )
     assert (tmp_path / "result.json").exists(), done.stdout[-2000:] + done.stderr[-2000:]
-    result = json.loads((tmp_path / "result.json").read_text())
+    result = json.loads((tmp_path / "result.json").read_text(encoding="utf-8"))
     assert result["status"] == "ok" and result["pages"] >= 2
     assert result["first"] > result["second"] > 0
     assert result["again"] == pytest.approx(result["second"], rel=1e-9)

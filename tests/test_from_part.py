@@ -308,8 +308,15 @@ def test_shapes_without_faces_are_refused():
         assert caught.value.findings[0].object == "Roof"
 
 
-def edge_samples(edge, count=40):
-    return np.array([tuple(edge.valueAt(u)) for u in np.linspace(*edge.ParameterRange, count)])
+def test_faces_without_breadth_are_refused_with_their_area():
+    """As one that a reader lost the sweep of."""
+    line = Part.Circle(Vector(), Vector(0, 1, 0), 2e4).toShape(0, 3)
+    face = Part.makeRuledSurface(line, line.translated(Vector(0, 1e-5, 0)))
+    with pytest.raises(BendTorsionError) as caught:
+        surface_from_part(face, "Roof")
+    (finding,) = caught.value.findings
+    assert (finding.code, finding.position) == ("face-conversion", "Face1")
+    assert "its area is 0.6 mm2, less than 1" in finding.message
 
 
 def distance_to_shape(points, shape):

@@ -45,7 +45,7 @@ FORMULAS = ("=1+1", "+cmd|'/C calc'!A0", "-2+3", "@SUM(A1)", '=HYPERLINK("x")')
 def test_no_text_is_a_formula_in_csv_and_it_is_read_back_as_it_was(tmp_path):
     path = tmp_path / "x.csv"
     path.write_bytes(csv_bytes([["name"], *([text] for text in FORMULAS), [-3.5], ["-3.5"]]))
-    rows = list(csv.reader(io.StringIO(path.read_text("utf-8-sig"), newline="")))
+    rows = list(csv.reader(io.StringIO(path.read_text(encoding="utf-8-sig"), newline="")))
     assert all(row[0][0] == "'" for row in rows[1:-2]) and rows[-2:] == [["-3.5"], ["-3.5"]]
     assert [row[0] for row in read_csv(path)][1:-2] == list(FORMULAS)
 

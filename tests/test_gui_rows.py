@@ -81,10 +81,15 @@ def test_faces_of_one_row_keep_each_other_automatic(document):
         ("section", 0, "B900", "no section 'B900'"),
         ("cut", 1, "-5", "behind the start"),
         ("cut", 1, "120%", "between 0% and 100%"),
-        ("cut", 1, "nan", "not a number of use"),
+        ("cut", 1, "nan", "cannot be read"),
+        ("cut", 1, "1,200", "can mean 1200 or 1.2"),
+        ("cut", 1, "4 m 500 mm", "no sign between two values"),
+        ("cut", 1, "5 kg", "another unit"),
+        ("slope", 1, "2.5 mm", "a number alone"),
+        ("offset_z", 0, "= 5 mm", "for the panel of the object"),
         ("slope", 1, "-1", "0 or more"),
         ("align", 0, "middle", "none of centre"),
-        ("offset_y", 0, "ten", "not a number"),
+        ("offset_y", 0, "ten", "cannot be read"),
         ("top", 0, "4000 3000", "must rise"),
         ("top", 0, "0.5 3000", "mixed"),
     ],
@@ -95,6 +100,44 @@ def test_text_that_means_nothing_has_a_reason(document, name, row, text, reason)
     edits, reasons = member_rows.edits_of(rows, {(row, column(name)): text})
     assert edits == []
     assert reason in reasons[row, column(name)]
+
+
+@pytest.mark.parametrize(
+    ("name", "row", "text", "property", "value"),
+    [
+        ("cut", 1, "4 m + 35 mm", "Cut2", 4035.0),
+        ("cut", 1, "100/3%", "CutRatio2", 1.0 / 3.0),
+        ("slope", 1, "5/2", "Slope2", 2.5),
+        ("offset_y", 0, "2 * (1 cm)", "OffsetY1", 20.0),
+        ("offset_z", 0, "-1/2 in", "OffsetZ1", -12.7),
+        ("offset_z", 0, "", "OffsetZ1", 0.0),
+        ("align", 0, "Top-Left", "Align1", "top-left"),
+        ("align_to", 1, "PREVIOUS", "AlignTo2", "previous"),
+        ("transition", 1, "Smooth", "Transition2", "smooth"),
+        ("section", 0, "b700", "Section1", "B700"),
+        ("top", 0, "Auto", "AutoJoints", ["left", "top"]),
+        ("top", 0, "2 m; 4 m + 5 cm", "JointsTop", [2000.0, 4050.0]),
+    ],
+)
+def test_cells_take_what_the_panels_take(document, name, row, text, property, value):
+    """Units, sums, fractions, and words in any capital letters."""
+    edits, reasons = member_rows.edits_of(
+        member_rows.rows_of(document), {(row, column(name)): text}
+    )
+    assert reasons == {}
+    apply(edits)
+    read = next(getattr(obj, own) for obj, own, _ in edits if own == property)
+    read = getattr(read, "Label", getattr(read, "Value", read))
+    assert read == (pytest.approx(value) if isinstance(value, float) else value)
+
+
+def test_a_cell_that_follows_an_expression_is_locked(document):
+    """A value written there would be gone with the next recompute."""
+    member = document.getObjectsByLabel("M1")[0]
+    member.setExpression("OffsetY2", "Length / 100")
+    row = member_rows.rows_of(document)[1]
+    assert row.lock_reason("offset_y") == "it follows = Length / 100"
+    assert not row.is_locked("offset_z")
 
 
 def test_joints_round_trip(document):

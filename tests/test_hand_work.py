@@ -100,9 +100,13 @@ def test_an_update_that_splits_and_one_that_joins_again_keep_what_was_there(plac
     add_notes(out / "model" / "001.FCStd")
     code, _ = run(capsys, "update", path, "--out", out, "--split", 1, *FLAGS)
     assert code == 0 and has_notes(out / "model" / "001.FCStd")
-    # One document again: not the links with members added to them.
+    # An update leaves it split; built, it is one document again, not the links with members added.
     edit(path, {("Sections", 3, "h"): 530})
     code, told = run(capsys, "update", path, "--out", out, *FLAGS)
+    assert code == 0 and "the model stays split by 1" in told
+    assert linked_documents(out / "model.FCStd") == ("model/001.FCStd", "model/002.FCStd")
+    assert has_notes(out / "model" / "001.FCStd")
+    code, told = run(capsys, "build", path, "--out", out, *FLAGS)
     assert code == 0 and linked_documents(out / "model.FCStd") == ()
     document = FreeCAD.openDocument(str(out / "model.FCStd"), hidden=True)
     assert not [obj for obj in document.Objects if obj.TypeId == "App::Link"]
@@ -125,17 +129,14 @@ def test_what_a_split_model_links_to_is_named_and_nothing_is_written(place, caps
     assert run(capsys, "build", path, "--out", split, "--split", 1, *FLAGS)[0] == 0
     model = split / "model.FCStd"
     for words in (
-        ["diff", path, model],
         ["report", model],
         ["repair", model],
         ["export", model, "--out", tmp_path / "exported"],
-        ["export", model, "--out", tmp_path / "back.xlsx"],
     ):
         code, told = run(capsys, *words)
         assert code == 2 and len(told.splitlines()) == 1, told
         assert "model/001.FCStd, model/002.FCStd" in told
     assert not (tmp_path / "exported" / "report.json").exists()
-    assert not list(tmp_path.glob("back*"))
     code, told = run(capsys, "report", split / "model" / "001.FCStd", "--jobs", 1)
     assert code == 0 and "M1" in told
 
@@ -205,7 +206,10 @@ def test_a_member_in_error_by_hand_names_what_is_wrong_and_stops_no_other(place,
     errors = [line for line in told.splitlines() if line.startswith("error")]
     assert code == 1 and len(errors) == 2 and len(set(errors)) == 2, told
     for line, plate in zip(errors, ("t_top", "t_bottom")):
-        assert line.startswith("error: B500, M1: in the document, where Height is '20mm': ")
+        # Releases write expressions with and without a space.
+        assert line.replace("20 mm'", "20mm'").startswith(
+            "error: B500, M1: in the document, where Height is '20mm': "
+        )
         assert f"{plate} fills half the section" in line and "value 12 mm, limit 10 mm" in line
         assert line.endswith("or delete the expression to follow the schedule again")
     assert {p.name[:2] for p in (target / "plates").glob("*.dxf")} == {"M2"}

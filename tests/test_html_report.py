@@ -138,7 +138,7 @@ def test_every_pattern_is_shown_once_to_one_scale_in_the_colour_of_its_strain():
     wide = annular_sector("M1-L1", strain_max=1e-4)
     root = ElementTree.fromstring(patterns_svg(member("M1", (low, high, wide)), 2e-4))
     shapes = [shape for shape in root.iter() if shape.tag.endswith("polygon")]
-    assert [shape.get("fill") for shape in shapes[:2]] == ["#00224e", "#fee838"]
+    assert [shape.get("fill") for shape in shapes[:2]] == ["#4a7ac2", "#fee838"]
     assert len({shape.get("fill") for shape in shapes}) == 3
     scale = np.sqrt(area(shapes[0]) / low.area)
     assert np.sqrt(area(shapes[2]) / wide.area) == pytest.approx(scale, rel=0.01)
@@ -175,6 +175,24 @@ def test_the_guide_names_what_is_there_and_nothing_else():
     text = folder_guide.readme("Hall", "1.0", list(listed.items()))
     assert text.startswith("Fabrication package Hall") and "CUT_OUTER" in text
     assert max(map(len, text.splitlines())) <= 110
+    assert "NOT in this package" not in text
+
+
+def test_the_guide_names_what_the_package_is_without():
+    """Members in error, and those findings tell of that no file holds; each once."""
+    told = warning("member-without-patterns", "M8", "has no plates, so that it is in no file")
+    other = warning("member-over", "M7", "is over a limit")
+    missing = folder_guide.left_out(records(), [told, told, other])
+    assert missing == [
+        "M3: in error, see report.html",
+        "M8: has no plates, so that it is in no file",
+    ]
+    text = folder_guide.readme("Hall", "1.0", [("report.html", "start here")], missing)
+    assert all(f"  {line}\n" in text for line in missing)
+    long = folder_guide.readme(
+        "Hall", "1.0", [("report.html", "start here")], ["M9: " + 40 * "so "]
+    )
+    assert max(map(len, long.splitlines())) <= 110
 
 
 def area(shape):

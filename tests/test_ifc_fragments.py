@@ -14,6 +14,7 @@ from BendTorsionWB.exchange.ifc import ifc_bytes, ifc_file
 from BendTorsionWB.exchange.ifc_fragment import Assembly, PlateSolid, ifc_fragment
 from BendTorsionWB.exchange.result_cache import ResultCache
 from BendTorsionWB.ifc_fragments import NamedSolid, kept_key, member_fragment
+from BendTorsionWB.shapes import step_text
 from BendTorsionWB.shapes.boundary_of import boundary_of
 
 GREY = (0.5, 0.5, 0.75)
@@ -123,3 +124,12 @@ def test_a_solid_of_no_plate_is_left_out(made, tmp_path):
     solids["M1"] = [*solids["M1"], NamedSolid("M1-T2", 1, GREY, box(3))]
     found = member_fragment(project, member, solids, plates, ResultCache(tmp_path))
     assert found == member_fragment(*given())
+
+
+def test_solids_hashed_before_are_not_exported_again(made, monkeypatch, tmp_path):
+    cache = ResultCache(tmp_path)
+    first = member_fragment(*given(), cache, "one")
+    monkeypatch.setattr(step_text, "solids_as_bytes", lambda own: pytest.fail("exported"))
+    assert member_fragment(*given(), cache, "one") == first and made == ["M1"]
+    member_fragment(*given(), cache, "another")
+    assert made == ["M1", "M1"]

@@ -103,7 +103,6 @@ def cached(out):
     return sorted((out / ".cache").glob("*.member"))
 
 
-@pytest.mark.slow
 def test_a_second_build_computes_and_writes_nothing(book, tmp_path, computed):
     out = tmp_path / "out"
     first = build(book, out, PLAIN)
@@ -116,7 +115,6 @@ def test_a_second_build_computes_and_writes_nothing(book, tmp_path, computed):
     assert second.findings == first.findings
 
 
-@pytest.mark.slow
 def test_a_changed_member_is_computed_alone_and_all_is_as_in_a_new_folder(
     book, tmp_path, computed, begun
 ):
@@ -136,7 +134,6 @@ def test_a_changed_member_is_computed_alone_and_all_is_as_in_a_new_folder(
     assert contents(out) == contents(tmp_path / "anew")
 
 
-@pytest.mark.slow
 def test_of_a_changed_member_alone_rows_and_pictures_are_made_anew(book, tmp_path, monkeypatch):
     out, made, in_ifc = tmp_path / "out", [], []
     real, real_ifc = member_fragments.fragment_of, ifc_fragments.ifc_fragment
@@ -244,10 +241,10 @@ def test_another_program_does_not_use_these_results(book, tmp_path, computed, mo
 def test_the_key_of_the_program_follows_its_source(tmp_path, monkeypatch):
     source = tmp_path / "package"
     source.mkdir()
-    (source / "one.py").write_text("x = 1")
+    (source / "one.py").write_text("x = 1", encoding="utf-8")
     monkeypatch.setattr(result_cache, "_PACKAGE", source)
     first = result_cache.program_key.__wrapped__()
-    (source / "one.py").write_text("x = 2")
+    (source / "one.py").write_text("x = 2", encoding="utf-8")
     assert result_cache.program_key.__wrapped__() != first
 
 
@@ -266,13 +263,12 @@ def test_a_cut_file_touched_by_hand_is_written_again(book, tmp_path, begun):
 def test_a_cache_that_cannot_be_written_costs_time_only(book, tmp_path, computed):
     out = tmp_path / "out"
     out.mkdir()
-    (out / ".cache").write_text("in the way")
+    (out / ".cache").write_text("in the way", encoding="utf-8")
     build(book, out)
     build(book, out)
     assert computed == ["M1", "M2"] * 2
 
 
-@pytest.mark.slow
 def test_without_a_model_a_former_one_does_not_stay_unless_changed_by_hand(book, tmp_path, begun):
     out = tmp_path / "out"
     begun(out, PLAIN)
@@ -286,7 +282,6 @@ def test_without_a_model_a_former_one_does_not_stay_unless_changed_by_hand(book,
     assert finding.object == "model.FCStd" and finding.severity == "warning"
 
 
-@pytest.mark.slow
 def test_a_model_changed_by_hand_is_set_aside_not_lost(book, tmp_path, begun):
     out = tmp_path / "out"
     begun(out, PLAIN)
@@ -297,7 +292,6 @@ def test_a_model_changed_by_hand_is_set_aside_not_lost(book, tmp_path, begun):
     assert (out / "model.former.FCStd").read_bytes() == b"drawn over by hand"
 
 
-@pytest.mark.slow
 def test_a_split_model_links_to_a_document_per_group_and_only_a_changed_one_is_written(
     book, tmp_path
 ):
@@ -322,7 +316,6 @@ def test_a_split_model_links_to_a_document_per_group_and_only_a_changed_one_is_w
     assert not list((out / "model").iterdir()) and (out / "model.step").exists()
 
 
-@pytest.mark.slow
 def test_an_interrupted_build_leaves_whole_files_and_goes_on_later(book, tmp_path):
     out = tmp_path / "out"
     process = subprocess.Popen(
@@ -330,7 +323,7 @@ def test_an_interrupted_build_leaves_whole_files_and_goes_on_later(book, tmp_pat
         cwd=ROOT,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
-        text=True,
+        encoding="utf-8",
         start_new_session=True,
     )
     try:

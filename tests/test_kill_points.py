@@ -18,7 +18,7 @@ def every(tmp_path_factory):
     """Of each scenario what was lost and what stopped the next run, as a process of its own saw."""
     folder = tmp_path_factory.mktemp("kill")
     command = [sys.executable, kill_scenarios.__file__, str(folder), str(PLACES), *NAMES]
-    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8")
     assert done.returncode == 0, done.stderr[-4000:]
     return {name: rest for name, *rest in map(json.loads, done.stdout.splitlines())}
 

@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 
-from BendTorsionWB.gui.label_layer import facing, on_screen, thinned
+from BendTorsionWB.gui.label_layer import CORNERS, LEFT_OUT, facing, on_screen, thinned
 
 SIZE = (1000.0, 800.0)
 
@@ -48,33 +48,50 @@ def test_faces_turned_away_are_not_named(matrix):
     assert facing(places, normals, matrix).tolist() == [True, False, True]
 
 
+ONE = np.ones(2000, int)
+"""Labels that stand at the first corner or nowhere."""
+
+
 def test_of_two_in_one_place_the_first_is_shown_and_of_none_outside():
     pixels = np.array([[100.0, 100.0], [110.0, 105.0], [300.0, 100.0], [2000.0, 100.0]])
     boxes = np.full((4, 2), (40.0, 16.0))
-    shown = thinned(pixels, np.ones(4), boxes, np.full(4, 100.0), SIZE, set())
-    assert shown.tolist() == [True, False, True, False]
+    shown = thinned(pixels, np.ones(4), boxes, np.full(4, 100.0), ONE, SIZE, {})
+    assert shown.tolist() == [0, LEFT_OUT, 0, LEFT_OUT]
+
+
+def test_labels_of_one_place_stand_around_it_before_any_is_left_out():
+    """Right above it, left above, right below, left below; there is no room for a fifth."""
+    pixels, boxes = np.full((5, 2), 100.0), np.full((5, 2), (40.0, 16.0))
+    given = pixels, np.ones(5), boxes, np.full(5, 100.0)
+    assert thinned(*given, np.full(5, 4), SIZE, {}).tolist() == [0, 1, 2, 3, LEFT_OUT]
+    assert thinned(*given, ONE, SIZE, {}).tolist() == [0] + [LEFT_OUT] * 4
 
 
 def test_what_is_too_small_to_be_told_apart_is_not_named():
     boxes = np.full((2, 2), (40.0, 16.0))
     pixels = np.array([[100.0, 100.0], [300.0, 300.0]])
-    shown = thinned(pixels, np.array([0.1, 0.1]), boxes, np.array([159.0, 161.0]), SIZE, set())
-    assert shown.tolist() == [False, True]
+    scale, room = np.array([0.1, 0.1]), np.array([159.0, 161.0])
+    shown = thinned(pixels, scale, boxes, room, np.full(2, 4), SIZE, {})
+    assert shown.tolist() == [LEFT_OUT, 0]
 
 
 def test_layers_share_the_room():
-    taken = set()
-    one = [np.array([[100.0, 100.0]]), np.ones(1), np.array([[40.0, 16.0]]), np.array([99.0])]
-    assert thinned(*one, SIZE, taken).all()
-    assert not thinned(*one, SIZE, taken).any()
+    taken = {}
+    one = [np.array([[100.0, 100.0]]), np.ones(1), np.array([[40.0, 16.0]]), np.array([99.0]), ONE]
+    assert thinned(*one, SIZE, taken).tolist() == [0]
+    assert thinned(*one, SIZE, taken).tolist() == [LEFT_OUT]
 
 
 def test_no_two_of_a_random_crowd_lie_on_each_other():
     numbers = np.random.default_rng(7)
     pixels = numbers.uniform((0.0, 0.0), SIZE, (2000, 2))
     boxes = numbers.uniform(10.0, 60.0, (2000, 2))
-    shown = thinned(pixels, np.ones(2000), boxes, np.full(2000, 1e3), SIZE, set())
-    low, high = pixels[shown], (pixels + boxes)[shown]
+    corners = numbers.integers(1, 5, 2000)
+    at = thinned(pixels, np.ones(2000), boxes, np.full(2000, 1e3), corners, SIZE, {})
+    assert (at < corners).all() and set(at.tolist()) == {LEFT_OUT, 0, 1, 2, 3}
+    shown = at != LEFT_OUT
+    low = (pixels - CORNERS[at] * boxes)[shown]
+    high = low + boxes[shown]
     apart = (high[:, None] <= low[None]) | (low[:, None] >= high[None])
     clear = apart.any(axis=2) | np.eye(len(low), dtype=bool)
     assert clear.all() and shown.sum() > 100

@@ -2,10 +2,13 @@
 """The house stands in layers: imports point downwards, and every module imports on its own."""
 
 import ast
+import functools
+import json
 import os
 import resource
 import subprocess
 import sys
+from collections import deque
 from pathlib import Path
 
 import pytest
@@ -17,26 +20,34 @@ PACKAGE = "BendTorsionWB"
 BELOW = {
     "core": (),
     "shapes": ("core",),
-    "exchange": ("core",),
+    "exchange": ("core", "interrupts"),
     "sheets": ("core",),
-    "objects": ("shapes", "sheets"),
+    "objects": ("shapes", "sheets", "interrupts"),
     "make_plates": ("objects",),
     "make": ("make_plates",),
     "source_files": ("shapes", "exchange"),
     "document_settings": ("objects", "exchange"),
-    "document_errors": ("document_difference",),
+    "document_errors": ("document_objects",),
+    "document_objects": ("objects", "exchange"),
+    "document_pairs": ("document_objects",),
+    "document_cycles": ("core",),
+    "document_forms": ("document_objects",),
     "document": ("make", "source_files", "document_settings"),
-    "document_difference": ("document",),
-    "document_update": ("document_difference", "interrupts"),
+    "document_difference": ("document_pairs",),
+    "document_update": ("document", "document_difference", "interrupts"),
+    "whole_model": ("document_update",),
     "document_rows": ("make", "exchange", "document_settings"),
     "interrupts": (),
+    "standard_output": (),
     "step_fragments": ("interrupts", "shapes", "exchange"),
     "ifc_fragments": ("interrupts", "shapes", "exchange"),
-    "solid_files": ("step_fragments", "ifc_fragments"),
-    "model_files": ("document_update", "document_errors", "solid_files"),
+    "model_progress": (),
+    "solid_files": ("step_fragments", "ifc_fragments", "model_progress"),
+    "model_files": ("document_update", "document_errors", "document_cycles", "solid_files"),
     "member_files": ("exchange", "sheets"),
     "member_fragments": ("member_files",),
-    "package_files": ("member_fragments",),
+    "combined_files": ("exchange",),
+    "package_files": ("member_fragments", "combined_files"),
     "report_files": ("member_fragments",),
     "sheet_files": ("member_files",),
     "members_left_out": ("source_files",),
@@ -51,20 +62,21 @@ BELOW = {
         "exchange",
         "sheets",
     ),
-    "round_trip": ("project", "document_rows"),
-    "document_export": ("project", "document_nodes"),
+    "round_trip": ("project", "document_rows", "document_forms", "whole_model"),
+    "document_export": ("project", "document_nodes", "document_left_out"),
+    "document_left_out": ("objects",),
     "document_nodes": ("objects",),
     "document_repair": ("model_files",),
     "document_templates": ("make", "exchange"),
     "make_files": ("round_trip", "document_export", "document_templates", "support"),
     "arguments": (),
-    "console": ("core",),
+    "console": ("core", "interrupts"),
     "gui": ("make_files",),
     "support": ("round_trip", "document_export"),
     "__main__": (
         "arguments",
         *("support", "round_trip", "document_export", "document_repair", "document_templates"),
-        "console",
+        *("console", "interrupts", "standard_output"),
     ),
 }
 EVERYWHERE = ("", "freecad_path")  # the package itself holds the version only
@@ -97,19 +109,21 @@ def layer_of(module):
     return [*module.split("."), ""][1]
 
 
+def holds(node):
+    """Whether a node is a statement, or a part of one with statements in it."""
+    return isinstance(node, ast.stmt | ast.excepthandler | ast.match_case)
+
+
 def imports(tree, module, is_package):
     """(imported dotted name, line, lazy) of each import statement, relative ones resolved.
 
     lazy: inside a function, so not run when the module is imported.
     """
-    inside_functions = {
-        id(node)
-        for function in ast.walk(tree)
-        if isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef)
-        for node in ast.walk(function)
-    }
-    for node in ast.walk(tree):
-        lazy = id(node) in inside_functions
+    waiting = deque([(tree, False)])
+    while waiting:
+        node, lazy = waiting.popleft()
+        inner = lazy or isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
+        waiting += [(child, inner) for child in ast.iter_child_nodes(node) if holds(child)]
         if isinstance(node, ast.Import):
             for alias in node.names:
                 yield alias.name, node.lineno, lazy
@@ -145,6 +159,13 @@ def faults(layer, name, lazy):
 
 
 MODULES = sorted((ROOT / PACKAGE).rglob("*.py"))
+OWN = {module_name(path) for path in MODULES}
+
+
+@functools.cache
+def parsed(path):
+    """The syntax tree of a file; nobody changes it."""
+    return ast.parse(path.read_text(encoding="utf-8"))
 
 
 @pytest.mark.parametrize("path", MODULES, ids=module_name)
@@ -155,7 +176,7 @@ def test_imports_point_downwards(path):
     if layer in EVERYWHERE:
         layer = "core"
     assert layer in BELOW, f"{module} belongs to no layer"
-    tree = ast.parse(path.read_text(encoding="utf-8"))
+    tree = parsed(path)
     found = [
         f"{path.name}:{line}: {name}: {fault}"
         for name, line, lazy in imports(tree, module, path.name == "__init__.py")
@@ -166,12 +187,12 @@ def test_imports_point_downwards(path):
 
 def run_imports(tree):
     """The tree without what is imported for type checkers only."""
-    tree.body = [
+    body = [
         node
         for node in tree.body
         if not (isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING")
     ]
-    return tree
+    return ast.Module(body, [])
 
 
 @pytest.mark.parametrize("path", sorted((ROOT / PACKAGE / "core").glob("*/*.py")), ids=module_name)
@@ -179,7 +200,7 @@ def test_rooms_of_core_stand_in_order(path):
     """A room of core uses those before it, never one after it."""
     module = module_name(path)
     after = ROOMS[ROOMS.index(path.parent.name) + 1 :]
-    tree = run_imports(ast.parse(path.read_text(encoding="utf-8")))
+    tree = run_imports(parsed(path))
     found = [
         f"{path.name}:{line}: {name}"
         for name, line, _ in imports(tree, module, path.name == "__init__.py")
@@ -198,18 +219,17 @@ OUTSIDE = sorted(
 @pytest.mark.parametrize("path", OUTSIDE, ids=lambda path: f"{path.parent.name}-{path.stem}")
 def test_scripts_import_what_is_there(path):
     """Scripts nobody runs every day keep up with modules that move."""
-    own = {module_name(module) for module in MODULES}
-    tree = ast.parse(path.read_text(encoding="utf-8"))
+    tree = parsed(path)
     named = [node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) and node.module]
     gone = [
         f"{node.module}.{alias.name}"
         for node in named
         if node.module.split(".")[0] == PACKAGE
         for alias in node.names
-        if node.module not in own
+        if node.module not in OWN
         or (
             (ROOT / Path(*node.module.split("."))).is_dir()
-            and f"{node.module}.{alias.name}" not in own
+            and f"{node.module}.{alias.name}" not in OWN
             and alias.name != "__version__"
         )
     ]
@@ -239,53 +259,123 @@ def test_the_rules_catch_what_they_forbid():
     ]
 
 
-# One child process per module, forked from a parent that has imported nothing of the package, only
-# the libraries that take long to load; for modules of the window, which FreeCAD has loaded itself
-# when they are, those of the window too.
+def always_loaded(path):
+    """Own modules that a module loads before anything else of it runs; none where an import stands
+    below other code."""
+    module, is_package = module_name(path), path.name == "__init__.py"
+    body = run_imports(parsed(path)).body
+    end = int(bool(body) and isinstance(body[0], ast.Expr))
+    while end < len(body) and isinstance(body[end], ast.Import | ast.ImportFrom):
+        end += 1
+    below = ast.Module(body[end:], [])
+    if any(not lazy for _, _, lazy in imports(below, module, is_package)):
+        return set()
+    named = {name for name, _, _ in imports(ast.Module(body[:end], []), module, is_package)}
+    return OWN & (named | {name.rpartition(".")[0] for name in named})
+
+
+def reached(direct):
+    """What each module loads, with what that loads: {name: names} of the same."""
+    found = {}
+
+    def walk(name, seen):
+        for other in direct[name] - seen:
+            seen.add(other)
+            walk(other, seen)
+        return seen
+
+    for name in direct:
+        found[name] = walk(name, set())
+    return found
+
+
+def tree_of_imports(direct):
+    """Each module below one that it loads itself, as {name: branches}.
+
+    Where a module comes right after one that it loads anyway, and that does not load it, there is
+    nothing it would not have by itself. Of those it stands below the one that loads most.
+    """
+    found = reached(direct)
+    branches = {name: {} for name in direct}
+    tree = {}
+    for name in direct:
+        before = [other for other in found[name] if name not in found[other]]
+        parent = max(before, key=lambda other: (len(found[other]), other), default=None)
+        (tree if parent is None else branches[parent])[name] = branches[name]
+    return tree
+
+
+def only(wanted, tree):
+    """The branches that lead to wanted modules."""
+    cut = {name: only(wanted, branches) for name, branches in tree.items()}
+    return {name: branches for name, branches in cut.items() if branches or name in wanted}
+
+
+def test_a_module_stands_below_what_it_loads_itself_and_in_no_circle():
+    direct = {"a": set(), "b": {"a"}, "c": {"b", "e"}, "d": {"e"}, "e": {"d"}}
+    assert tree_of_imports(direct) == {"a": {"b": {}}, "d": {}, "e": {"c": {}}}
+    assert only({"c", "d"}, tree_of_imports(direct)) == {"d": {}, "e": {"c": {}}}
+    project, qt = (always_loaded(ROOT / PACKAGE / name) for name in ("project.py", "gui/qt.py"))
+    assert f"{PACKAGE}.core.detailing" in project and qt == set()
+
+
+# A process per module, forked from one that has imported nothing of the package but what the module
+# imports anyway, and the libraries that take long to load; for modules of the window, which FreeCAD
+# has loaded itself when they are, those of the window too.
 EACH_ALONE = """
-import importlib, os, sys, traceback
+import importlib, json, os, sys, traceback
 import numpy, ezdxf, openpyxl
 import scipy.integrate, scipy.interpolate, scipy.linalg, scipy.optimize, scipy.sparse.linalg
 import scipy.spatial
 from BendTorsionWB import freecad_path
 freecad_path.append()
-sys.stdout.flush()
-failed = []
-for name in sys.argv[1:]:
-    if name.startswith("BendTorsionWB.gui") and "FreeCADGui" not in sys.modules:
-        import FreeCAD, FreeCADGui, pivy.coin
-        from BendTorsionWB.gui import qt
-    child = os.fork()
-    if child == 0:
-        try:
-            importlib.import_module(name)
-        except BaseException:
-            traceback.print_exc()
-            sys.stderr.flush()
-            os._exit(1)
-        os._exit(0)
-    status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
-    if status:
-        failed.append(f"{name} ({'signal ' + str(-status) if status < 0 else 'exception'})")
-print("failed:", *failed)
+
+def grow(tree, there):
+    for name, branches in tree.items():
+        child = os.fork()
+        if child == 0:
+            try:
+                if name in sys.modules and name not in there:
+                    raise ImportError(f"{name} was loaded before its turn")
+                importlib.import_module(name)
+                os.write(1, f"{name}\\n".encode())
+                grow(branches, there)
+            except BaseException:
+                traceback.print_exc()
+                sys.stderr.flush()
+            finally:
+                os._exit(0)
+        os.waitpid(child, 0)
+
+below, window = json.load(sys.stdin)
+grow(below, set(sys.modules))
+import FreeCAD, FreeCADGui, pivy.coin
+from BendTorsionWB.gui import qt
+grow(window, set(sys.modules))
 """
 
 
 def test_each_module_imports_in_a_fresh_interpreter():
     """No module needs another to have been imported before it."""
-    names = [name for path in MODULES if (name := module_name(path)) != f"{PACKAGE}.__main__"]
-    names.sort(key=lambda name: layer_of(name) == "gui")
+    direct = {
+        name: always_loaded(path)
+        for path in MODULES
+        if (name := module_name(path)) != f"{PACKAGE}.__main__"
+    }
+    tree = tree_of_imports(direct)
+    window = {name for name in direct if layer_of(name) == "gui"}
     environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen", "PYTHONPATH": str(ROOT)}
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     run = subprocess.run(
-        [sys.executable, "-c", EACH_ALONE, *names],
+        [sys.executable, "-c", EACH_ALONE],
+        input=json.dumps([only(set(direct) - window, tree), only(window, tree)]),
         env=environment,
-        stdin=subprocess.DEVNULL,
         capture_output=True,
-        text=True,
+        encoding="utf-8",
         timeout=300,
         check=False,
     )
-    assert run.stdout.splitlines()[-1:] == ["failed:"], run.stdout + run.stderr
+    failed = sorted(set(direct) - set(run.stdout.splitlines()))
+    assert not failed, f"{', '.join(failed)}\n{run.stderr}"
     # By the processor's clock: that of a busy machine tells nothing.
     assert resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before < 120.0

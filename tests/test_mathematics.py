@@ -8,18 +8,20 @@ import pytest
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 from random_outcomes import outcome
+from turned_rulings import turned_volume
 
 from BendTorsionWB.core.axes.axis import fit_axis
 from BendTorsionWB.core.axes.frames import surface_frames, torsion_angle
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.geometry.surface import analytic_surface
 from BendTorsionWB.core.members.member import Member
+from BendTorsionWB.core.members.mitres import RELIEF_LENGTH
 from BendTorsionWB.core.members.segment import ALIGNMENTS, Segment
-from BendTorsionWB.core.members.strips import RELIEF_LENGTH
 from BendTorsionWB.core.members.zones import section_law
 from BendTorsionWB.core.patterns.pattern import develop_plate
 from BendTorsionWB.core.plates.plates import Joints, split_plates
 from BendTorsionWB.core.sections.section import box
+from BendTorsionWB.core.tolerances import SHORTEST_PLATE
 
 generated = settings(
     max_examples=12,
@@ -99,9 +101,14 @@ def built(case, points=None, centre=(0.0, 0.0, 0.0), scale=1.0, segments=None, *
 
 def volumes(member, joints=None):
     """Volume of the plates of each face."""
+    return volumes_of(lambda _, plate: plate.volume, member, joints or {})
+
+
+def volumes_of(measure, member, joints):
+    """A measure (member, plate) summed over the plates of each face."""
     found = {}
-    for plate in split_plates(member, joints or {})[0]:
-        found[plate.face] = found.get(plate.face, 0.0) + plate.volume
+    for plate in split_plates(member, joints)[0]:
+        found[plate.face] = found.get(plate.face, 0.0) + measure(member, plate)
     return found
 
 
@@ -195,17 +202,67 @@ def test_a_mirrored_axis_gives_the_mirrored_member(case):
         assert torsions[0][1][-1] == pytest.approx(-torsions[1][1][-1], abs=1e-6)
 
 
+STEEP = Case(
+    29000.0, 0.16, -0.25, 0.02, ((300.0, 880.0, 14.0), (750.0, 590.0, 17.0)), 0.47, 1.6, "centre"
+)
+
+
 @generated
 @given(cases, st.lists(st.floats(0.2, 0.8), min_size=1, max_size=3, unique=True))
+@example(replace(STEEP, type="box2"), [0.56])
+@example(replace(STEEP, type="box2"), [0.46, 0.55])
+@example(STEEP, [0.46, 0.55])
 def test_plates_cut_up_weigh_what_the_whole_weighs(case, places):
+    """But for the rulings of their faces, which a cut beside a mitre turns back."""
     places = sorted(places)
     if any(b - a < 0.05 for a, b in zip(places, places[1:])):
         places = places[:1]
-    joints = {"top": Joints(tuple(places))}
-    whole = result(lambda: volumes(built(case)))
-    parts = result(lambda: volumes(built(case), joints))
-    if not isinstance(whole, list) and not isinstance(parts, list):
-        agree(whole, parts, 1e-9)
+    # A joint on a fold ends both plates square there, and not at a mitre.
+    beside = [place + 0.01 * on_a_fold(case, place) for place in places]
+    for face in ("top", "left"):
+        joints = {face: Joints(tuple(beside))}
+        whole, parts = (result(lambda j=j: unturned(built(case), j)) for j in ({}, joints))
+        if not isinstance(whole, list) and not isinstance(parts, list):
+            agree(whole, parts, 1e-9)
+
+
+def on_a_fold(case, place):
+    member = result(lambda: built(case))
+    folds = [] if isinstance(member, list) else member.law.folds
+    return any(abs(place * member.length - fold) < 2.0 * SHORTEST_PLATE for fold in folds)
+
+
+def unturned(member, joints):
+    """Volume of the plates of each face with all rulings in section planes."""
+    return volumes_of(lambda m, plate: plate.volume - turned_volume(m, plate), member, joints)
+
+
+def test_what_a_cut_turns_back_is_less_than_a_millionth():
+    """Of the plate, where it is most: beside a change of 1 : 1.6; and it is what was derived."""
+    member = built(replace(STEEP, type="box2"))
+    joints = {"left": Joints((member.law.folds[1] + 20.0,), "mm")}
+    more, turned = (
+        of(member, joints)["left"] - of(member, {})["left"]
+        for of in (volumes, lambda *given: volumes_of(turned_volume, *given))
+    )
+    whole = volumes(member)["left"]
+    assert 1e-7 < abs(more) / whole < 1e-6
+    assert more == pytest.approx(turned, rel=1e-3)
+
+
+@pytest.mark.parametrize("fold", [0, 1])
+def test_a_joint_on_a_fold_takes_the_wedge_up_to_the_mitre(fold):
+    """Both plates end square, where the inner faces are t (hypot(1, a) - 1) apart; the mitre is
+    where they would meet, at the slope a."""
+    thickness, slope = 24.0, 1.5
+    sizes = ((400.0, 400.0, thickness), (500.0, 400.0, thickness))
+    case = Case(4e6, 0.002, 0.0, 0.0, sizes, 0.5, slope, "bottom", "box2")
+    member = built(case)
+    joints = {"top": Joints((member.law.folds[fold],), "mm")}
+    step = thickness * (np.hypot(1.0, 1.0 / slope) - 1.0)
+    wedge = 0.5 * step * step * slope * 400.0
+    less = volumes(member)["top"] - volumes(member, joints)["top"]
+    assert less == pytest.approx((-1, 1)[fold] * wedge, rel=1e-3)
 
 
 @generated

@@ -126,3 +126,12 @@ def test_what_the_temporary_folder_refuses_is_told_of_that_folder(tmp_path, monk
     (found,) = caught.value.findings
     assert found.code == "file-not-written" and str(tmp_path / "gone") in found.object
     assert "No such file" in found.message and list(tmp_path.iterdir()) == []
+
+
+def test_two_members_with_files_of_one_name_are_refused():
+    one, other = (record_of(name, (rectangle(mark="M1-D1-D2"),)) for name in ("M1", "M1-D1"))
+    with pytest.raises(BendTorsionError) as told:
+        files_of({"M1": one, "M1-D1": other})
+    assert {finding.code for finding in told.value.findings} == {"file-name-twice"}
+    assert told.value.findings[0].objects == ("M1", "M1-D1")
+    assert "plates/M1-D1-D2.dxf" in told.value.findings[0].message

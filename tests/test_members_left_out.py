@@ -51,7 +51,7 @@ def members_in(out):
     """The members each table, list and report of the project holds."""
     book = openpyxl.load_workbook(out / "results.xlsx", data_only=True)
     of_plates = {row[0] for row in book["Plates"].iter_rows(min_row=2, values_only=True)}
-    report = json.loads((out / "report.json").read_text())
+    report = json.loads((out / "report.json").read_text(encoding="utf-8"))
     nesting = (out / "nesting.csv").read_text(encoding="utf-8-sig")
     return (
         {name for name in MEMBERS_OF if name in of_plates},

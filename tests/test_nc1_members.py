@@ -18,8 +18,6 @@ from BendTorsionWB.exchange.dxf import plate_dxf
 from BendTorsionWB.exchange.nc1 import plate_nc1
 from BendTorsionWB.exchange.report import report_json
 
-pytestmark = pytest.mark.slow
-
 
 def circle(count=12, radius=7400.0, z=3000.0):
     turns = 2.0 * np.pi * np.arange(count) / count

@@ -94,7 +94,6 @@ def test_the_mark_the_label_and_the_hole_in_the_middle_do_not_meet(diameter):
     assert faults(replace(plate, holes=(hole, beside))) == []
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", ["M5", "M12"])
 def test_texts_of_members_of_the_hall(name):
     _, jobs = read_jobs(HALL, only=[name])

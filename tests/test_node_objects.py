@@ -166,7 +166,7 @@ def test_a_built_schedule_has_its_node_everywhere(tmp_path):
     row = ["K1", "M1", "M2", None, "stub", 4, 1200, "flanges"]
     result = build(schedule(tmp_path / "s.xlsx", [row]), tmp_path / "out", workers=1)
     assert not result.failed, [f.line() for f in result.findings]
-    report = json.loads((tmp_path / "out" / "report.json").read_text())
+    report = json.loads((tmp_path / "out" / "report.json").read_text(encoding="utf-8"))
     one, two = report["members"]
     assert one["nodes"] == [] and [p["mark"] for p in one["plates"]][-1] == "M1-D1"
     (node,) = two["nodes"]

@@ -68,7 +68,7 @@ def made(path, out, **given):
     return (
         result,
         openpyxl.load_workbook(out / "results.xlsx"),
-        json.loads((out / "report.json").read_text()),
+        json.loads((out / "report.json").read_text(encoding="utf-8")),
     )
 
 
@@ -89,7 +89,7 @@ def test_a_crossing_nobody_resolved_is_an_error_once_a_row_and_no_cut_files(tmp_
     ]
     assert [row["x"] for row in nodes] == pytest.approx([1000.0, 3000.0])
     assert [row["status"] for row in report["nodes"]] == ["node-unresolved"] * 2
-    page = (tmp_path / "out" / "report.html").read_text()
+    page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     listed = page[page.index("<h2>Nodes</h2>") : page.index("<h2>Plates</h2>")]
     assert listed.count("<td>node-unresolved</td>") == 2
     assert not list((tmp_path / "out").glob("plates/*"))

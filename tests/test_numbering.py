@@ -221,3 +221,18 @@ def test_holes_that_match_after_half_a_turn_are_no_difference():
     other = replace(two, mark="M1-T3", holes=(hole("O-1", 900.0, 350.0), two.holes[1]))
     (found,) = numbered([MemberRecord("M1", "", "", plates=(one, two, other))])
     assert [plate.part for plate in found.plates] == ["M1-T1", "M1-T1", "M1-T3"]
+
+
+@pytest.mark.parametrize("off, equal", [(0.04, True), (0.3, False), (2.0, False)])
+def test_outlines_are_equal_within_a_tenth_of_a_millimetre_however_large(off, equal):
+    """Two corners cut off, by x and y, so that length, width and area stay when x changes."""
+
+    def plate(mark, x, y):
+        u, v = 2400.0, 800.0
+        around = [(x, 0.0), (u, 0.0), (u, v - y), (u - x, v), (0.0, v), (0.0, y), (x, 0.0)]
+        cut = replace(rectangle(mark), area=u * v - x * y, lines=())
+        return replace(cut, outline=(np.array(around),))
+
+    one, two = plate("M1-T1", 40.0, 40.0), plate("M1-T2", 40.0 + off, 1600.0 / (40.0 + off))
+    (found,) = numbered([MemberRecord("M1", "", "", plates=(one, two))])
+    assert [plate.part for plate in found.plates] == ["M1-T1", "M1-T1" if equal else "M1-T2"]

@@ -141,7 +141,7 @@ def machine(tmp_path):
             env={"PATH": str(tmp_path / "bin")},
             stdin=subprocess.DEVNULL,
             capture_output=True,
-            text=True,
+            encoding="utf-8",
             timeout=30,
             check=False,
         )
@@ -210,7 +210,9 @@ def test_install_links_the_checkout_into_freecad(tmp_path):
         assert link.is_symlink() and link.resolve() == ROOT
     link.unlink()
     link.mkdir()
-    refused = subprocess.run(command, env=environment, check=False, capture_output=True, text=True)
+    refused = subprocess.run(
+        command, env=environment, check=False, capture_output=True, encoding="utf-8"
+    )
     assert refused.returncode != 0
     assert "not a link" in refused.stderr
     assert link.is_dir() and not link.is_symlink()

@@ -23,6 +23,7 @@ from BendTorsionWB import project
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.geometry.arc_fit import enclosed_area
 from BendTorsionWB.core.site import SiteDatum
+from BendTorsionWB.exchange import known_hashes
 from BendTorsionWB.exchange.dxf import plate_dxf
 from BendTorsionWB.exchange.dxf_nest import GAP, groups_of, nest_dxf, shelves
 from BendTorsionWB.exchange.issue import KEPT_OUTLINES
@@ -30,12 +31,10 @@ from BendTorsionWB.exchange.part_marks import FILE
 from BendTorsionWB.exchange.plate_outlines import read_outlines
 from BendTorsionWB.model_files import Wanted
 
-pytestmark = pytest.mark.slow
-
 
 def test_the_package_is_whole_and_ours(built):
     _, out, result = built
-    ours = json.loads((out / ".bendtorsion.json").read_text())["files"]
+    ours = json.loads((out / ".bendtorsion.json").read_text(encoding="utf-8"))["files"]
     grades = {f"plates/all/{t}mm S355.dxf" for t in (16, 12)}
     wanted = {"model.FCStd", "model.step", "model.ifc", "report.html", "nesting.csv", *grades}
     assert wanted <= set(ours)
@@ -68,7 +67,7 @@ def test_a_build_without_changes_writes_nothing_and_a_lost_file_comes_back(built
     again = state()
     touched = {name for name in before if before[name] != again.get(name)}
     assert grade in again
-    assert touched <= {grade, ".bendtorsion.json", FILE}
+    assert touched <= {grade, ".bendtorsion.json", FILE, known_hashes.FILE}
     assert contents == {name: (out / name).read_bytes() for name in contents}
 
 
@@ -134,7 +133,7 @@ def test_grades_no_file_system_takes_share_a_name_safely(built):
 
 def test_step_names_every_plate_and_reads_back_whole(built):
     _, out, result = built
-    text = (out / "model.step").read_text()
+    text = (out / "model.step").read_text(encoding="utf-8")
     plates = plates_of(result)
     for plate in plates:
         assert text.count(f"PRODUCT('{plate.mark}'") == 1
@@ -204,7 +203,7 @@ def test_control_points_agree_in_model_site_and_bed_and_leave_room_to_measure(bu
 def test_workbook_and_report_hold_the_same_numbers(built):
     _, out, _ = built
     book = openpyxl.load_workbook(out / "results.xlsx", data_only=True)
-    report = json.loads((out / "report.json").read_text())
+    report = json.loads((out / "report.json").read_text(encoding="utf-8"))
     told = {p["mark"]: p for m in report["members"] for p in m["plates"]}
     pairs = {"length": "length_mm", "width": "width_mm", "net_area": "area_mm2"}
     pairs |= {"net_mass": "mass_kg", "thickness": "thickness_mm", "part": "part"}
@@ -255,9 +254,9 @@ def test_part_marks_of_a_partial_build_are_those_of_the_whole_one(tmp_path):
     plain = Wanted(False, False)
     whole = project.build(path, out, workers=1, wanted=plain)
     parts = {p.mark: (p.part, p.quantity) for p in plates_of(whole)}
-    kept = json.loads((out / FILE).read_text())
+    kept = json.loads((out / FILE).read_text(encoding="utf-8"))
     kept["M2"][1] = ["M1-T1", 2, "M1-L1"]
-    (out / FILE).write_text(json.dumps(kept))
+    (out / FILE).write_text(json.dumps(kept), encoding="utf-8")
     other = changed(tmp_path / "other.xlsx", APART, {("Members", 3, "cut"): "50%"})
     part = project.build(other, out, only=["M2"], workers=1, wanted=plain)
     assert [record.member for record in part.records] == ["M2"]
@@ -295,7 +294,7 @@ def test_the_folder_of_another_project_is_left_alone_unless_forced(built, tmp_pa
     assert before == {p: p.read_bytes() for p in out.rglob("*") if p.is_file()}
     result = project.build(named(book, "Dome"), out, workers=1, wanted=plain, force=True)
     assert not result.failed
-    assert json.loads((out / ".bendtorsion.json").read_text())["project"] == "Dome"
+    assert json.loads((out / ".bendtorsion.json").read_text(encoding="utf-8"))["project"] == "Dome"
 
 
 def test_a_full_disk_leaves_former_files_whole_and_says_so(built, tmp_path, monkeypatch):

@@ -181,7 +181,7 @@ def test_tables_of_pieces_in_report_and_workbook(delivered, tmp_path):
     from BendTorsionWB.exchange.results_workbook import write_results
 
     write_report([delivered.record], (), "0", tmp_path / "r.json")
-    found = json.loads((tmp_path / "r.json").read_text())["members"][0]
+    found = json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))["members"][0]
     assert [p["piece"] for p in found["pieces"]] == [1, 2, 3]
     assert found["pieces"][0]["end_end"] == "stepped bottom=-80 right=40 top=80"
     assert {p["piece"] for p in found["plates"]} == {1, 2, 3}

@@ -202,7 +202,7 @@ def test_step_has_an_assembly_per_member_of_pieces(document, tmp_path):
     document.recompute()
     assert [line.split()[0] for line in plates.Pieces] == ["1", "2"]
     write_step(document, ["M1"], tmp_path / "m.step")
-    text = (tmp_path / "m.step").read_text()
+    text = (tmp_path / "m.step").read_text(encoding="utf-8")
     names = re.findall(r"PRODUCT\('([^']*)'", text)
     assert [name for name in names if name not in plates.Marks] == [
         "M1",

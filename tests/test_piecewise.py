@@ -4,7 +4,14 @@
 import numpy as np
 import pytest
 
-from BendTorsionWB.core.geometry.piecewise import merged_breaks, resolve, sample
+from BendTorsionWB.core.geometry.piecewise import (
+    antiderivatives_together,
+    integrals_together,
+    merged_breaks,
+    resolve,
+    sample,
+    span_nodes,
+)
 
 BREAKS = np.array([0.0, 700.0, 1500.0, 4000.0])
 
@@ -31,6 +38,25 @@ def test_calculus_agrees_with_closed_forms_to_rounding():
     exact = [900 * (1 - np.cos(4000 / 900)), 2000 * (1 - np.exp(-2))]
     assert function.integral() == pytest.approx(exact, rel=1e-13)
     assert function.antiderivative()(np.array([4000.0]))[0] == pytest.approx(exact, rel=1e-13)
+
+
+def test_integrals_of_several_functions_in_one_sweep_agree_with_closed_forms():
+    """Of other spans each."""
+    several = (
+        BREAKS,
+        np.array([0.0, 2000.0, 4000.0]),
+        np.array([0.0, 100.0, 1500.0, 3000.0, 4000.0]),
+    )
+    values = np.concatenate([sample(wave, breaks).values for breaks in several])
+    exact = [900 * (1 - np.cos(4000 / 900)), 2000 * (1 - np.exp(-2))]
+    for found in integrals_together(values, several):
+        assert found == pytest.approx(exact, rel=1e-13)
+    sums = antiderivatives_together(values, several)
+    ends = np.cumsum([len(breaks) - 1 for breaks in several])
+    for breaks, own in zip(several, np.split(sums, ends[:-1]), strict=True):
+        at = span_nodes(breaks)
+        whole = np.stack([900 * (1 - np.cos(at / 900)), 2000 * (1 - np.exp(-at / 2000))], axis=2)
+        assert np.abs(own - whole).max() < 1e-10
 
 
 def test_a_kink_at_a_break_has_two_slopes_and_both_are_kept():

@@ -189,7 +189,7 @@ def built(tmp_path_factory):
 def test_a_schedule_with_all_of_it_gives_all_files(built):
     """Report, workbook, STEP: flat parts are plates like any other."""
     out, record = built
-    report = json.loads((out / "report.json").read_text())["members"][0]
+    report = json.loads((out / "report.json").read_text(encoding="utf-8"))["members"][0]
     flats = {p["mark"]: p for p in report["plates"] if p["face"] in ("diaphragm", "end")}
     assert list(flats) == ["M1-E1", "M1-D1", "M1-D2"]
     assert {p["forming"] for p in flats.values()} == {"flat"}

@@ -12,6 +12,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 SOURCES = [ROOT / "Init.py", ROOT / "InitGui.py", *sorted((ROOT / "BendTorsionWB").rglob("*.py"))]
+BESIDE = ("tests", "scripts", "benchmarks", "resources")
 
 POSIX_MODULES = {"fcntl", "grp", "pty", "pwd", "resource", "syslog", "termios", "tty", "crypt"}
 POSIX_CALLS = {
@@ -34,9 +35,16 @@ REMOVED = {
     *("datetime.datetime.utcnow", "datetime.utcnow", "asyncio.get_event_loop"),
 }
 REMOVED_MODULES = {"imp", "distutils", "cgi", "pipes", "telnetlib", "crypt", "aifc", "asynchat"}
-GUARDED = {"exchange/folder_lock.py": {"fcntl"}, "shapes/trial_reading.py": {"resource"}}
+GUARDED = {
+    "exchange/folder_lock.py": {"fcntl"},
+    "shapes/trial_reading.py": {"resource"},
+    "core/worker_processes.py": {"fcntl"},
+}
 """Where a module of POSIX is imported under a guard, with another way beside it."""
-FENCED = {"shapes/trial_reading.py": "hasattr(os, 'fork')"}
+FENCED = {
+    "shapes/trial_reading.py": "hasattr(os, 'fork')",
+    "core/worker_processes.py": "hasattr(signal, 'pthread_sigmask')",
+}
 """Where calls of POSIX stand behind a question, and what it asks."""
 
 
@@ -93,9 +101,10 @@ def test_a_module_holds_no_path_of_a_system(path):
 
 
 def test_text_files_are_opened_with_their_encoding():
-    """Windows would take its own code page."""
+    """Windows would take its own code page, and a library may turn the locale to ASCII. So is read
+    what programs print."""
     missing = []
-    for path in SOURCES:
+    for path in (*SOURCES, *(path for name in BESIDE for path in (ROOT / name).rglob("*.py"))):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if not isinstance(node, ast.Call):
                 continue
@@ -106,6 +115,7 @@ def test_text_files_are_opened_with_their_encoding():
                 mode = [a.value for a in node.args[1:2] if isinstance(a, ast.Constant)]
                 mode += [k.value.value for k in node.keywords if k.arg == "mode"]
                 text = name in ("open", "os.fdopen") and "b" not in "".join(map(str, mode))
+            text |= name.startswith("subprocess.") and "text" in words
             if text and "encoding" not in words:
                 missing.append(f"{path.relative_to(ROOT)}:{node.lineno} {name}")
     assert missing == []

@@ -7,17 +7,14 @@ import sys
 import zipfile
 from pathlib import Path
 
-import pytest
-
 ROOT = Path(__file__).resolve().parent.parent
 
 
-@pytest.mark.slow
 def test_the_archive_installs_and_works_in_a_clean_user_folder(tmp_path):
     """Unpacked into Mod: plates, files and commands come from there."""
     command = [sys.executable, str(ROOT / "scripts" / "release.py"), "--uncommitted", "--out"]
     done = subprocess.run(
-        [*command, str(tmp_path / "one")], capture_output=True, text=True, check=False
+        [*command, str(tmp_path / "one")], capture_output=True, encoding="utf-8", check=False
     )
     assert done.returncode == 0, done.stderr
     seen = json.loads(done.stdout.splitlines()[0])

@@ -69,7 +69,9 @@ def test_schedules_and_documents_tell_renamed_rows_in_one_line_each(path, tmp_pa
     others = [c for c in changes if c.what != "renamed"]
     assert [(c.name, c.property, c.after) for c in others] == [("A2", "surface", "Dome")]
     write_changes(changes, tmp_path / "changes.json")
-    assert json.loads((tmp_path / "changes.json").read_text())[0]["what"] == "renamed"
+    assert (
+        json.loads((tmp_path / "changes.json").read_text(encoding="utf-8"))[0]["what"] == "renamed"
+    )
     documents = []
     try:
         for one in (path, every):
@@ -130,10 +132,16 @@ def test_plates_of_a_renamed_member_are_void_and_new_and_told_to_be_the_same(pat
     out, plain = tmp_path / "out", Wanted(model=False, sheets=False)
 
     def build(book, *rows):
-        (tmp_path / "cut.csv").write_text("plate,status\n" + "".join(f"{r}\n" for r in rows))
+        (tmp_path / "cut.csv").write_text(
+            "plate,status\n" + "".join(f"{r}\n" for r in rows), encoding="utf-8"
+        )
         statuses = read_statuses(tmp_path / "cut.csv")
         found = project.build(book, out, workers=1, wanted=plain, statuses=statuses)
-        plates = json.loads((out / "revision.json").read_text())["plates"] if rows else []
+        plates = (
+            json.loads((out / "revision.json").read_text(encoding="utf-8"))["plates"]
+            if rows
+            else []
+        )
         return found, {plate["mark"]: plate for plate in plates}
 
     build(path)

@@ -9,7 +9,14 @@ import pytest
 from flat_plates import annular_sector, member, rectangle
 
 from BendTorsionWB.core.finding import Finding, error, note
-from BendTorsionWB.exchange.report import report_json, summary_lines, write_report
+from BendTorsionWB.exchange.report import (
+    findings_by_member,
+    member_line,
+    of_members,
+    report_json,
+    summary_lines,
+    write_report,
+)
 
 MEMBER_KEYS = (
     "member length_mm mass_kg axis_to_surface_rms_mm axis_to_surface_max_mm "
@@ -125,3 +132,34 @@ def test_an_error_that_names_a_plate_fails_its_member_only():
 def test_nothing_built_is_no_success():
     assert summary_lines([], [])[-1].startswith("0 of 0")
     assert not any(line.endswith("ok") for line in summary_lines([], []))
+
+
+def test_findings_are_told_of_their_members_in_their_order():
+    """As looking at each finding for each member tells."""
+    own = note("own", "elsewhere", "of its record")
+    records = [
+        member("M1", (rectangle(mark="M1-T1"),), findings=(own,)),
+        member("M1-D1", (rectangle(mark="M1-D1-T1"),)),
+        member("M2", (rectangle(mark="M2-T1"),), findings=(own,)),
+    ]
+    objects = ("M2-T1", "M1", "M1-D1", "M1-D1-T1, M2", "hall.xlsx", "M1-T1", "M1-D1-B9", "M", "")
+    known = [*(note(f"n{k}", name, "found") for k, name in enumerate(objects)), own]
+    told = findings_by_member(records, known)
+    for record in records:
+        names = {record.member, *(plate.mark for plate in record.plates)}
+        expected = [f for f in known if f in record.findings or names & set(f.objects)]
+        assert told[record.member] == expected and expected
+    by_name = of_members([record.member for record in records], known)
+    for name, found in by_name.items():
+        expected = [
+            f for f in known if any(o == name or o.startswith(f"{name}-") for o in f.objects)
+        ]
+        assert list(found) == expected and expected
+
+
+def test_lines_made_before_give_the_same_file(tmp_path):
+    records = [member("M1", (annular_sector(),)), member("M2")]
+    write_report(records, (), "1.0", tmp_path / "at once.json")
+    lines = [member_line(record) for record in records]
+    write_report(records, (), "1.0", tmp_path / "lines.json", None, lines)
+    assert (tmp_path / "lines.json").read_bytes() == (tmp_path / "at once.json").read_bytes()

@@ -2,6 +2,7 @@
 """Issues: what is frozen, what later builds say of each plate, and plates already cut."""
 
 import csv
+import errno
 import hashlib
 import json
 import re
@@ -16,6 +17,7 @@ from BendTorsionWB import project
 from BendTorsionWB.__main__ import main
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.exchange.plate_status import read_statuses
+from BendTorsionWB.exchange.whole_file import not_written
 from BendTorsionWB.project import Wanted
 
 PLAIN = Wanted(model=False, sheets=False)
@@ -44,12 +46,25 @@ def build(path, out, **given):
 
 
 def told(out):
-    content = json.loads((out / "revision.json").read_text())
+    content = json.loads((out / "revision.json").read_text(encoding="utf-8"))
     return {plate["mark"]: plate for plate in content["plates"]}
 
 
+def _without_revision(copy, revision):
+    """A file of an issue as it was built; the comment with the revision is there."""
+    content = copy.read_bytes()
+    comments = {".dxf": b"999\nrevision %s\n", ".nc1": b"** revision %s\r\n"}
+    if copy.suffix not in comments:
+        return content
+    comment = comments[copy.suffix] % revision.encode()
+    assert content.count(comment) == 1
+    return content.replace(comment, b"")
+
+
 def transmittal(out, revision):
-    content = json.loads((out / "issued" / revision / "transmittal.json").read_text())
+    content = json.loads(
+        (out / "issued" / revision / "transmittal.json").read_text(encoding="utf-8")
+    )
     return {item["name"]: item for item in content["files"]}
 
 
@@ -64,7 +79,9 @@ def test_an_issue_holds_every_file_with_its_hash_and_cannot_be_written_again(iss
         copy = out / "issued" / item["issued_as"]
         assert copy.stem.endswith("_A") and item["revision"] == "A" and item["what"] == "new"
         assert hashlib.sha256(copy.read_bytes()).hexdigest() == item["sha256"]
-        assert copy.read_bytes() == (out / name).read_bytes()
+        built = (out / name).read_bytes()
+        assert hashlib.sha256(built).hexdigest() == item["built"]
+        assert _without_revision(copy, "A") == built
         assert not copy.stat().st_mode & 0o222
     rows = list(openpyxl.load_workbook(out / "issued/A/transmittal.xlsx")["Transmittal"].values)
     assert [row[0] for row in rows[1 : len(files) + 1]] == sorted(files)
@@ -130,7 +147,10 @@ def test_plates_are_same_changed_new_or_void_and_the_next_issue_holds_what_chang
 
 def statuses(tmp_path, rows):
     path = tmp_path / "status.csv"
-    path.write_text("plate,status\n" + "".join(f"{mark},{word}\n" for mark, word in rows.items()))
+    path.write_text(
+        "plate,status\n" + "".join(f"{mark},{word}\n" for mark, word in rows.items()),
+        encoding="utf-8",
+    )
     return read_statuses(path)
 
 
@@ -154,6 +174,8 @@ def test_a_plate_that_is_cut_and_would_change_is_an_error_with_its_verdict(issue
     found, failed = rebuilt("B590", statuses=cut)
     assert failed and list(found) == ["M2-L1"] and found["M2-L1"].severity == "error"
     assert "trim" in found["M2-L1"].message and "edge" in found["M2-L1"].message
+    off = f", {found['M2-L1'].value:.2f} mm off where it lies best on the new one: trim "
+    assert off in found["M2-L1"].message, "the value of the finding is explained"
     assert not list(out.glob("*/M2-*")) and list(out.glob("*/M1-*")), "M2 is not written"
     found, failed = rebuilt("B590", statuses=statuses(tmp_path, {"M2-L1": "trim"}))
     assert not failed and found["M2-L1"].severity == "warning"
@@ -190,23 +212,56 @@ def test_a_partial_build_says_nothing_of_members_it_leaves_out(issued):
     assert {mark.split("-")[0] for mark in told(out)} == {"M1", "M2"}
 
 
+def torn(path, text):
+    """Other text in place of a file's own."""
+    path.chmod(0o644)
+    path.write_text(text, encoding="utf-8")
+
+
 @pytest.mark.parametrize(
     ("harm", "code"),
     [
-        (lambda out: next((out / "plates").iterdir()).write_text("edited"), "file-changed"),
+        (lambda out: torn(next((out / "plates").iterdir()), "edited"), "file-changed"),
         (lambda out: next((out / "nc1").iterdir()).unlink(), "file-changed"),
         (lambda out: (out / ".bendtorsion-outlines.npz").unlink(), "issue-nothing"),
         (lambda out: (out / ".bendtorsion.json").unlink(), "issue-nothing"),
-        (lambda out: (out / "issued/A/transmittal.json").chmod(0o644) or
-            (out / "issued/A/transmittal.json").write_text("{"), "issue-unreadable"),
+        (lambda out: torn(out / "issued/A/transmittal.json", "{"), "issue-unreadable"),
     ],
-)  # fmt: skip
+)
 def test_what_cannot_be_issued_is_told_and_nothing_is_written(issued, harm, code):
     _, out = issued
     harm(out)
     with pytest.raises(BendTorsionError) as problem:
         project.issue_folder(out, "B")
     assert problem.value.findings[0].code == code
+    assert [p.name for p in (out / "issued").iterdir()] == ["A"]
+
+
+def test_outlines_of_a_build_before_are_not_issued_with_the_next_one(issued):
+    path, out = issued
+    for kept in (".bendtorsion-outlines.npz", ".bendtorsion-parts.json"):
+        (out / kept).chmod(0o444)
+    build(edit(path, {("Sections", 2, "t"): 18}), out)
+    assert not (out / ".bendtorsion-parts.json").exists()
+    with pytest.raises(BendTorsionError) as problem:
+        project.issue_folder(out, "B")
+    assert problem.value.findings[0].code == "issue-nothing"
+    build(path, out)
+    project.issue_folder(out, "B")
+
+
+def test_an_issue_that_does_not_fit_is_told_by_its_own_name(issued, monkeypatch):
+    _, out = issued
+
+    def full(outlines, path):
+        raise BendTorsionError(not_written(path, OSError(errno.ENOSPC, "No space left")))
+
+    monkeypatch.setattr("BendTorsionWB.exchange.issue.write_outlines", full)
+    with pytest.raises(BendTorsionError) as problem:
+        project.issue_folder(out, "B")
+    [finding] = problem.value.findings
+    assert (finding.code, finding.object) == ("file-not-written", str(out / "issued" / "B"))
+    assert "free space" in finding.mend
     assert [p.name for p in (out / "issued").iterdir()] == ["A"]
 
 
@@ -219,17 +274,28 @@ def test_a_revision_has_a_name_that_names_files(issued, name):
 
 def test_a_status_list_with_slips_is_refused_line_by_line(tmp_path):
     path = tmp_path / "status.csv"
-    path.write_text("plate;status\nM1-T1;cut\nM1-T2;gone\nM1-T1;trim\n\n")
+    path.write_text("plate;status\nM1-T1;cut\nM1-T2;gone\nM1-T1;trim\n\n", encoding="utf-8")
     with pytest.raises(BendTorsionError) as problem:
         read_statuses(path)
     assert [(f.code, f.position) for f in problem.value.findings] == [
         ("unknown-value", "row 3, column status"),
         ("duplicate", "row 4, column plate"),
     ]
-    path.write_text("mark,what\n")
+    path.write_text("mark,what\n", encoding="utf-8")
     with pytest.raises(BendTorsionError) as problem:
         read_statuses(path)
     assert problem.value.findings[0].code == "heading-missing"
+
+
+def test_a_status_list_may_have_a_title_and_headings_in_chinese(tmp_path):
+    path = tmp_path / "status.csv"
+    path.write_text(
+        "Cut until Friday, hall 2, all\n\n零件号;状态;date\nM1-T1;cut;1\nM1-T2;Trim;2\n",
+        encoding="utf-8",
+    )
+    rows = read_statuses(path)
+    assert [(row.name, row.status) for row in rows] == [("M1-T1", "cut"), ("M1-T2", "trim")]
+    assert rows[1].place.row == 5
 
 
 def test_a_cut_plate_is_trimmed_where_its_joint_moved_and_an_opening_must_be_where_it_was(tmp_path):
@@ -245,7 +311,7 @@ def test_a_cut_plate_is_trimmed_where_its_joint_moved_and_an_opening_must_be_whe
     build(path, out)
     project.issue_folder(out, "A")
     rows = "".join(f"{mark},cut\n" for mark in ("M2-T1", "M2-T2", "M2-L1"))
-    (tmp_path / "cut.csv").write_text("plate,status\n" + rows)
+    (tmp_path / "cut.csv").write_text("plate,status\n" + rows, encoding="utf-8")
 
     def verdicts(cells):
         other = shutil.copy(path, tmp_path / "other.xlsx")
@@ -262,3 +328,44 @@ def test_a_cut_plate_is_trimmed_where_its_joint_moved_and_an_opening_must_be_whe
     for cells in ({("Openings", 2, "s"): 2600}, {("Openings", 2, "shape"): "100x200"}):
         lost = ("error", "scrap: it has an opening where the new one has none")
         assert verdicts(cells) == {"M2-L1": lost}
+
+
+EVERY = [f"model.{ending}" for ending in ("FCStd", "step", "ifc")]
+
+
+def test_an_issue_without_a_kind_of_file_the_last_one_has_is_refused_and_nothing_is_void(
+    tmp_path, capsys
+):
+    """Left out by an option for speed, they were called void as if the model were withdrawn."""
+    path, out = schedule(tmp_path / "two.xlsx", APART[:1]), tmp_path / "out"
+    assert main(["build", str(path), "--out", str(out), "--svg", "--quiet", "--jobs", "1"]) == 0
+    project.issue_folder(out, "A")
+    assert {*EVERY, "sheets/set.pdf"} <= transmittal(out, "A").keys()
+    edit(path, {("Sections", 3, "h"): 520})
+    capsys.readouterr()
+    plain = ["build", str(path), "--out", str(out), "--jobs", "1", "--no-model", "--no-sheets"]
+    assert main(plain) == 0
+    # What no longer fits is gone, and the build says so.
+    told = capsys.readouterr()
+    gone = "warning: model: left out of this build; the files of the build before are removed"
+    assert f"{gone} (value model.FCStd, model.ifc, model.step)" in told.out + told.err
+    assert not any((out / name).exists() for name in EVERY)
+    assert main(["issue", str(out), "--rev", "B"]) == 2
+    lines = capsys.readouterr().err.splitlines()
+    assert [line.split(":")[1].strip() for line in lines] == [
+        "model",
+        "drawing sheets",
+        "drawing sheets as SVG",
+    ]
+    assert all("was left out of the last build, and issue A has it" in line for line in lines)
+    assert not (out / "issued" / "B").exists()
+    # One kind is enough, and a split model is a model.
+    assert main([*plain[:-2], "--split", "1", "--quiet"]) == 0
+    assert main(["issue", str(out), "--rev", "B"]) == 2
+    [line] = capsys.readouterr().err.splitlines()
+    assert "drawing sheets as SVG: " in line
+    assert main([*plain[:-2], "--split", "1", "--svg", "--quiet"]) == 0
+    assert main(["issue", str(out), "--rev", "B"]) == 0
+    files = transmittal(out, "B")
+    assert files["model/001.step"]["what"] == "new" and files["model.step"]["what"] == "void"
+    assert not [n for n, own in files.items() if n.startswith("sheets") and own["what"] == "void"]

@@ -80,7 +80,7 @@ def test_trimmed_surfaces_and_names_not_there_are_refused(rhino, tmp_path):
     assert code(rhino_patches, rhino, "Roof") == "surface-file-empty"
     assert code(rhino_axis, rhino, "A9") == "axis-source-name"
     assert code(rhino_axis, tmp_path / "none.3dm") == "file-missing"
-    (tmp_path / "bad.3dm").write_text("not Rhino")
+    (tmp_path / "bad.3dm").write_text("not Rhino", encoding="utf-8")
     assert code(rhino_axis, tmp_path / "bad.3dm") == "file-unreadable"
 
 

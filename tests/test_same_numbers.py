@@ -13,8 +13,6 @@ import openpyxl
 import pytest
 from package_build import rows
 
-pytestmark = pytest.mark.slow
-
 # Fields of report.json and columns of sheet Plates that say the same.
 PLATE = {
     "part": "part",
@@ -139,7 +137,7 @@ def test_plate_drawings_print_the_sizes_and_masses_of_the_table(read_back):
     for member in report["members"]:
         path = out / "sheets" / f"{member['member']}.pdf"
         command = ["pdftotext", "-layout", path, "-"]
-        text = subprocess.run(command, capture_output=True, text=True, timeout=120).stdout
+        text = subprocess.run(command, capture_output=True, encoding="utf-8", timeout=120).stdout
         printed = Counter(size.findall(text))
         for plate in member["plates"]:
             net = [plate[name] for name in ("length_mm", "width_mm", "mass_kg")]

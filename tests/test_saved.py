@@ -135,7 +135,7 @@ def resaved(tmp_path_factory):
 
 
 def test_without_the_workbench_a_document_shows_its_shapes(resaved):
-    ours, shapes, kept = map(int, (resaved / "result.txt").read_text().split())
+    ours, shapes, kept = map(int, (resaved / "result.txt").read_text(encoding="utf-8").split())
     saved = json.loads(NEWEST.with_suffix(".json").read_text(encoding="utf-8"))
     assert ours == len(saved)
     # Dome, member, plates and patterns; sections and the axis are wires.
@@ -211,6 +211,9 @@ def test_the_carried_document_is_a_program_of_its_own(tmp_path):
     script = [sys.executable, str(Path(__file__).with_name("carried_document.py"))]
     subprocess.run([*script, "save", str(tmp_path / "lane")], check=True, capture_output=True)
     done = subprocess.run(
-        [*script, "compare", str(tmp_path / "lane")], check=True, capture_output=True, text=True
+        [*script, "compare", str(tmp_path / "lane")],
+        check=True,
+        capture_output=True,
+        encoding="utf-8",
     )
     assert "16 objects compared, 0 differ" in done.stdout

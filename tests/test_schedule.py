@@ -87,7 +87,7 @@ ALIGNMENTS = f"centre, {FACES}, top-left, top-right, bottom-left, bottom-right"
 TYPES = "box1, box2, i, tee, channel, trapezoid, polygon, strips"
 BAD_CELLS = [
     ("Points", 3, "x", "abc", "not-a-number", None, "write a number"),
-    ("Points", 3, "x", "12,500", "not-a-number", None, "write 12500 or 12.500"),
+    ("Points", 3, "x", "12,500", "not-a-number", None, "write 12,5000 or 12500"),
     ("Points", 3, "x", True, "not-a-number", None, "number"),
     ("Points", 3, "x", None, "value-missing", None, "fill in x"),
     ("Points", 3, "y", "nan", "not-finite", None, "write a number"),
@@ -196,7 +196,8 @@ BAD_CELLS = [
     ("Settings", 2, "key", "station_spacin", "unknown-name", None, "did you mean station_spacing"),
     ("Settings", 3, "key", "station_spacing", "duplicate", None, "delete or rename"),
     ("Settings", 2, "value", "wide", "not-a-number", None, "write a number"),
-    ("Settings", 2, "value", -500, "out-of-range", "above 0", "above 0 mm"),
+    ("Settings", 2, "value", -500, "out-of-range", "at least 10", "at least 10 mm"),
+    ("Settings", 2, "value", 1e-7, "out-of-range", "at least 10", "at least 10 mm"),
 ]
 
 
@@ -211,6 +212,8 @@ def test_a_bad_cell_is_one_finding_with_place_value_and_mend(
     changes = {(sheet, row, column): value}
     if (sheet, row) == ("Axes", 3):
         changes[sheet, row, "surface"] = "Hall"
+    if value == "station_spacing":
+        changes[sheet, row, "value"] = 500
     if value == "76%":
         row += 1
         value = "75%"
@@ -352,12 +355,12 @@ def test_a_missing_column_is_one_finding(read, sheet, column):
 
 
 def test_unknown_sheets_and_columns_are_answered_with_the_nearest(read):
-    finding = one(read, {}, lambda sheets: sheets.update(members=sheets.pop("Members")))
-    assert (finding.code, finding.value) == ("sheet-unknown", "members")
+    finding = one(read, {}, lambda sheets: sheets.update(membres=sheets.pop("Members")))
+    assert (finding.code, finding.value) == ("sheet-unknown", "membres")
     assert "did you mean Members" in finding.mend
-    finding = one(read, {}, lambda sheets: sheets["Members"][0].__setitem__(3, "Section"))
-    assert (finding.code, finding.value) == ("column-unknown", "Section")
-    assert finding.position == "sheet Members, row 1, column Section"
+    finding = one(read, {}, lambda sheets: sheets["Members"][0].__setitem__(3, "Sektion"))
+    assert (finding.code, finding.value) == ("column-unknown", "Sektion")
+    assert finding.position == "sheet Members, row 1, column Sektion"
     assert "did you mean section" in finding.mend
     finding = one(read, {("Points", 1, "x"): "x"}, lambda sheets: sheets["Points"][0].append("x"))
     assert finding.code == "duplicate"
@@ -405,7 +408,7 @@ def test_members_that_differ_by_capitals_only_would_share_files(read):
 
 
 def test_the_documentation_names_every_sheet_column_and_setting():
-    document = (ROOT / "docs" / "schedule.md").read_text()
+    document = (ROOT / "docs" / "schedule.md").read_text(encoding="utf-8")
     sections = dict(re.findall(r"^## (\w+)\n(.*?)(?=^## |\Z)", document, re.M | re.S))
     for sheet, row in columns.SHEETS.items():
         for column in row:

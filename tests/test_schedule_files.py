@@ -152,11 +152,11 @@ def test_a_document_a_folder_of_a_build_and_a_single_csv_file_are_no_schedules(t
     (tmp_path / "model.FCStd").write_bytes(b"PK")
     finding = one(read_schedule, tmp_path / "model.FCStd")
     assert "a FreeCAD document" in finding.message and "--out model.xlsx" in finding.mend
-    (tmp_path / "Members.csv").write_text("member,segment\n")
+    (tmp_path / "Members.csv").write_text("member,segment\n", encoding="utf-8")
     assert "holds a .csv file for each sheet" in one(read_schedule, tmp_path / "Members.csv").mend
     (tmp_path / "out").mkdir()
     for name in (".bendtorsion.json", "nesting.csv"):
-        (tmp_path / "out" / name).write_text("{}")
+        (tmp_path / "out" / name).write_text("{}", encoding="utf-8")
     finding = one(read_schedule, tmp_path / "out")
     assert finding.code == "schedule-is-results" and "the folder of a build" in finding.message
     # One that is not there is told as that.

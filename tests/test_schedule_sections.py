@@ -112,7 +112,7 @@ def test_the_document_has_the_same_sections_and_builds_them_all(tmp_path):
 def test_a_schedule_with_every_type_builds_from_the_command_line(tmp_path):
     out = tmp_path / "out"
     assert main(["build", str(book(tmp_path)), "--out", str(out)]) == 0
-    report = json.loads((out / "report.json").read_text())
+    report = json.loads((out / "report.json").read_text(encoding="utf-8"))
     counts = {member["member"]: len(member["plates"]) for member in report["members"]}
     assert counts == {f"M{name}": count for name, count in PLATES.items()}
     for member in report["members"]:

@@ -180,7 +180,7 @@ def test_every_catalogue_section_builds_and_names_its_source(tmp_path):
         assert each.source and each.status
         assert section_properties(each.section()).area > 0
     broken = tmp_path / "sections.json"
-    broken.write_text('{"sections": [{"name": "X"}]}')
+    broken.write_text('{"sections": [{"name": "X"}]}', encoding="utf-8")
     with pytest.raises(BendTorsionError) as caught:
         entries(broken)
     assert caught.value.findings[0].code == "catalogue"

@@ -156,8 +156,8 @@ def test_the_joint_too_close_to_a_node_tells_its_face_in_chinese():
     )
     text = finding_text(found, SheetStyle(language="zh"))
     place, told = text.split("：", 1)
-    assert place == "M1，s = 3200 mm" and "面上的拼接离节点过近" in told
-    assert "（实际 470.532 mm，限值 600 mm）。请将拼接移远离节点" in told
+    assert place == "M1，s = 3200 mm" and "面上的拼接缝离节点过近" in told
+    assert "（实际 470.532 mm，限值 600 mm）。请将拼接缝移远离节点" in told
     beyond = warning("bevel-beyond-head", "X1-L1", "", value=74.0, limit=52.0, unit="deg")
     assert finding_text(beyond, SheetStyle(language="zh")).endswith("（实际 74 °，限值 52 °）")
 

@@ -12,8 +12,6 @@ from BendTorsionWB.core.drawings.sheet_arrangement import arrangement_sheets
 from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.site import SiteDatum
 
-pytestmark = pytest.mark.slow
-
 
 def frame(found, number):
     """The matrix (4, 4) of an IfcLocalPlacement to the world, through all it is relative to."""
@@ -30,7 +28,7 @@ def frame(found, number):
 
 def test_the_corners_of_control_are_vertices_of_the_ifc_on_the_site(built):
     _, out, _ = built
-    found = entities((out / "model.ifc").read_text("ascii"))
+    found = entities((out / "model.ifc").read_text(encoding="ascii"))
     places = {}
     for values in of_kind(found, "IFCPLATE").values():
         places[values[7].strip("'")] = frame(found, references(values[5])[0])

@@ -5,7 +5,10 @@ import FreeCAD  # noqa: F401
 import numpy as np
 import pytest
 from curved_members import ELLIPSOID, in_space, member, tapered
+from test_build import APART, changed, schedule
 
+from BendTorsionWB import project
+from BendTorsionWB.core import memo
 from BendTorsionWB.core.axes.axis import fit_axis
 from BendTorsionWB.core.axes.frames import surface_frames
 from BendTorsionWB.core.finding import BendTorsionError
@@ -355,3 +358,25 @@ def circle(radius, t):
 
 PLANE = analytic_surface("plane", {})
 CYLINDER = analytic_surface("cylinder", {"r": 12000.0})
+
+
+@pytest.mark.parametrize(
+    "row, values", [(3, (520, 500, 12)), (3, (500, 500, 14)), (2, (600, 620, 16))]
+)
+def test_rails_that_were_kept_are_those_of_this_member(tmp_path, row, values):
+    """Each section of a member alone changed, the one it ends with too."""
+    given, jobs = project.read_jobs(schedule(tmp_path / "a.xlsx", APART))
+    cells = {("Sections", row, column): value for column, value in zip(("h", "b", "t"), values)}
+    other, changed_jobs = project.read_jobs(changed(tmp_path / "b.xlsx", APART, cells))
+    memo.forget_all()
+    fresh = rails_of(project.compute(other, changed_jobs)["M1"])
+    memo.forget_all()
+    before = rails_of(project.compute(given, jobs)["M1"])
+    after = rails_of(project.compute(other, changed_jobs)["M1"])
+    assert len(fresh) >= 8 and after == fresh
+    assert sum(one != was for one, was in zip(after, before)) >= 4
+
+
+def rails_of(detailed):
+    """What tells the rails of each plate of a member from any others."""
+    return [memo.content_hash(one.plate.rails) for one in detailed.plates.plates]

@@ -98,7 +98,8 @@ def test_one_named_part_of_a_step_file(files):
         ("nothing.step", "", "file-missing"),
         ("roof.txt", "", "file-kind"),
         ("roof.step", "wall", "file-name-unknown"),
-        ("ring.brep", "ring", "file-without-names"),
+        ("ring.brep", "ring", "file-name-unknown"),
+        ("nothing.igs", "curve1", "file-missing"),
         ("roof.step", "ridge", "surface-file-empty"),
         ("torn.step", "", "file-unreadable"),
         ("torn.igs", "", "file-unreadable"),
@@ -107,7 +108,7 @@ def test_one_named_part_of_a_step_file(files):
 )
 def test_a_file_without_a_surface_is_named(files, name, part, code):
     if name.startswith("torn"):
-        (files / name).write_text("torn")
+        (files / name).write_text("torn", encoding="utf-8")
     with pytest.raises(BendTorsionError) as caught:
         faces_from_file(files / name, part, "Roof")
     (finding,) = caught.value.findings
@@ -185,5 +186,5 @@ def test_a_schedule_of_files_builds_the_same_members_as_one_of_numbers(files, tm
     status = {o.Label: o.Status for o in document.Objects if "Status" in o.PropertiesList}
     FreeCAD.closeDocument(document.Name)
     assert set(status.values()) == {"ok"}
-    report = json.loads((out / "report.json").read_text())
+    report = json.loads((out / "report.json").read_text(encoding="utf-8"))
     assert len(report["members"]) == 2

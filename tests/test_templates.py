@@ -13,6 +13,7 @@ from BendTorsionWB.__main__ import main
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.document_templates import FOLDER, TITLES, new_document
 from BendTorsionWB.model_files import checked_recompute
+from BendTorsionWB.objects.proxy import findings_of
 from BendTorsionWB.objects.schema import SCHEMA_VERSION
 
 sys.path.insert(0, str(FOLDER))
@@ -44,7 +45,6 @@ def test_each_template_is_there_and_made_by_the_script():
     assert {path.stem for path in FOLDER.glob("*.FCStd")} == set(TITLES)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", TITLES)
 def test_a_template_opens_cleanly_and_follows_its_spreadsheet(opened, name):
     document = opened(name)
@@ -61,6 +61,10 @@ def test_a_template_opens_cleanly_and_follows_its_spreadsheet(opened, name):
         if getattr(obj, "BT_Type", "") in ("Axis", "Member", "PlateSet", "Unfold"):
             obj.touch()
     assert checked_recompute(document) == ()
+    # An example teaches nothing by warnings.
+    ours = [obj for obj in document.Objects if "Findings" in obj.PropertiesList]
+    found = [finding for obj in ours for finding in findings_of(obj)]
+    assert [finding.line() for finding in found if finding.severity != "note"] == []
     before = sum(plates.Mass for plates in kinds(document, "PlateSet"))
     sheet = document.getObject("Sizes")
     assert all(sheet.get(alias).getValueAs("mm") is not None for alias, *_ in make_templates.SIZES)
@@ -83,7 +87,6 @@ def test_a_template_opens_cleanly_and_follows_its_spreadsheet(opened, name):
         assert own.Height.Value == (480.0 if own.Label == "Tip" else 640.0)
 
 
-@pytest.mark.slow
 def test_the_script_makes_a_template_that_is_free_of_errors(tmp_path, monkeypatch):
     only = {"member": make_templates.TEMPLATES["member"]}
     monkeypatch.setattr(make_templates, "TEMPLATES", only)

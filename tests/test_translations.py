@@ -66,7 +66,7 @@ def test_a_new_text_is_listed_until_it_is_translated(tmp_path, monkeypatch):
     """Told with its file, unfinished in the .ts."""
     path = tmp_path / "BendTorsion_zh-CN.ts"
     source = tmp_path / "new.py"
-    source.write_text('text = translate("BendTorsion", "Brand" " new & <old>")\n')
+    source.write_text('text = translate("BendTorsion", "Brand" " new & <old>")\n', encoding="utf-8")
     monkeypatch.setattr(translations, "property_texts", dict)
     monkeypatch.setattr(translations, "SOURCES", (source,))
     monkeypatch.setattr(translations, "ROOT", tmp_path)

@@ -101,7 +101,7 @@ def test_the_workbook_the_report_and_the_sheet_hold_the_same_zones(geometry, tmp
         )
         assert row[7:] == (zone.steps or (None,) * 4)
     write_report([record], (), "0", tmp_path / "r.json")
-    [told] = json.loads((tmp_path / "r.json").read_text())["members"]
+    [told] = json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))["members"]
     assert [z["d_bottom_mm"] for z in told["zones"]] == [z.steps and z.steps[1] for z in zones]
     table = next(t for t in member_sheets(record)[0].tables if t.header[0] == "zone")
     assert [row[:2] for row in table.rows] == [(z.label, z.group) for z in zones]

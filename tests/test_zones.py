@@ -239,6 +239,8 @@ def test_all_faults_are_told_at_once():
         ({"h": np.nan}, "section-size"),
         ({"t_top": 1e-320}, "section-size"),
         ({"t_web": 0.02}, "section-size"),
+        ({"h": 1e6}, "section-size"),
+        ({"b": 50_000.1}, "section-size"),
         ({"t_top": 400}, "plate-too-thick"),
         ({"t_web": 401}, "plate-too-thick"),
         ({"gap1": -1}, "section-gap"),

@@ -21,12 +21,12 @@ ANCHORS = np.array(
     [
         [int(code[k : k + 2], 16) / 255.0 for k in (0, 2, 4)]
         for code in (
-            "00224E 123570 3B496C 575D6D 707173 8A8678 A59C74 C3B369 E1CC55 FEE838".split()
+            "4A7AC2 6288B8 7A95AE 919FA1 A5A892 B7B182 C9BB70 DBC95C EDD84A FEE838".split()
         )
     ]
 )
-"""Dark blue over grey to yellow: rising in lightness and told apart by all (cividis; Nuñez,
-Anderton & Renslow 2018)."""
+"""Blue over grey to yellow: rising in lightness and told apart by all, as cividis (Nuñez, Anderton
+& Renslow 2018), but light enough at its lower end to stand out at 3:1 from a dark view."""
 
 CLASS_COLOURS = {
     "flat": (0.0, 158 / 255, 115 / 255),
@@ -137,17 +137,21 @@ def colouring(
     if not known.any():
         return Colouring((UNKNOWN,) * len(plates), ())
     scale = ColourScale(*(between or limits(plates, by)))
+    if written(scale.low) == written(scale.high):
+        # All the same as far as it is written: no colour would tell more.
+        scale = ColourScale(scale.low, scale.low)
     steps = np.unique(values[known]) if by == "thickness" else scale.ticks()
     painted = scale.colours(np.where(known, values, scale.low))
+    legend = [
+        (written(value), _plain(colour))
+        for value, colour in zip(steps.tolist(), scale.colours(steps), strict=True)
+    ]
     return Colouring(
         tuple(
             _plain(colour) if is_known else UNKNOWN
             for colour, is_known in zip(painted, known, strict=True)
         ),
-        tuple(
-            (written(value), _plain(colour))
-            for value, colour in zip(steps.tolist(), scale.colours(steps), strict=True)
-        ),
+        tuple(dict.fromkeys(legend)),
     )
 
 

@@ -46,16 +46,20 @@ class Finding:
         the unit of the sheets; mm stand beside it then."""
         place = ", ".join(part for part in (self.object, self.position) if part)
         text = ": ".join(part for part in (self.severity, place, self.message) if part)
-        figures = []
-        if self.value not in (None, ""):
-            figures.append(f"value {figure_text(self.value, self.unit, length)}")
-        if self.limit not in (None, ""):
-            figures.append(f"limit {figure_text(self.limit, self.unit, length)}")
-        if figures:
-            text += f" ({', '.join(figures)})"
+        text += self.figures(length)
         if self.mend:
             text += f" -> {self.mend}"
         return " ".join(text.split())
+
+    def figures(self, length: Callable[[float], str] | None = None) -> str:
+        """Value and limit as they stand behind the message; empty where there are none. length: as
+        of `line`."""
+        figures = [
+            f"{name} {figure_text(value, self.unit, length)}"
+            for name, value in (("value", self.value), ("limit", self.limit))
+            if value not in (None, "")
+        ]
+        return f" ({', '.join(figures)})" if figures else ""
 
     def as_dict(self) -> dict:
         """The record as plain JSON data, fields in their declared order."""

@@ -93,7 +93,7 @@ _WORDS = {
     "sheet": "表",
     "property": "属性",
     "argument": "参数",
-    "joint": "拼接",
+    "joint": "拼接缝",
     "strip": "板条",
     "transition": "过渡段",
     "ring": "环",
@@ -387,13 +387,19 @@ def chinese_text(finding: Finding, length: Callable[[float], str] | None = None)
     own = chinese_finding(finding)
     place = "，".join(part for part in (own.object, own.position) if part)
     text = "：".join(part for part in (place, own.message) if part)
+    text += chinese_figures(own, length)
+    return " ".join((f"{text}。{own.mend}" if own.mend else text).split())
+
+
+def chinese_figures(own: Finding, length: Callable[[float], str] | None = None) -> str:
+    """Value and limit of a finding that is in Chinese, as they stand behind its message; length: as
+    of `Finding.line`."""
     figures = [
         _beside(f"{name} ", figure_text(value, own.unit, length))
         for name, value in (("实际", own.value), ("限值", own.limit))
         if value not in (None, "")
     ]
-    text += f"（{'，'.join(figures)}）" if figures else ""
-    return " ".join((f"{text}。{own.mend}" if own.mend else text).split())
+    return f"（{'，'.join(figures)}）" if figures else ""
 
 
 def _beside(one: str, other: str) -> str:

@@ -37,13 +37,19 @@ def _feed(feed: Callable[[bytes], None], value) -> None:
     if kind in _PLAIN:
         feed(f"{kind.__name__} {value!r};".encode())
         return
+    if kind is tuple or kind is list:
+        feed(f"[{len(value)}".encode())
+        for item in value:
+            _feed(feed, item)
+        feed(b"]")
+        return
     made_from = getattr(value, "_made_from", None)
     if made_from is not None:
         feed(b"made " + made_from.encode())
     elif isinstance(value, np.ndarray):
         feed(f"array {value.shape} {value.dtype}".encode())
         feed(np.ascontiguousarray(value).tobytes())
-    elif is_dataclass(kind):
+    elif kind in _fields or is_dataclass(kind):
         if kind not in _fields:
             _fields[kind] = tuple((f"{own.name}=".encode(), own.name) for own in fields(kind))
         feed(f"{kind.__name__}(".encode())

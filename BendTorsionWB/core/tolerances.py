@@ -40,6 +40,13 @@ VOLUME_RELATIVE = 1e-6
 SMALLEST_SIZE = 0.1
 """A height, breadth or thickness of a section below this is an error, mm."""
 
+LARGEST_SIZE = 50_000.0
+"""A height, breadth or thickness of a section above this is an error, mm: a slip of the unit."""
+
+NEAREST_STATIONS = 10.0
+"""Measuring lines nearer to each other than this are an error, mm: nobody marks them, and there
+would be no end to them."""
+
 NARROWEST_STRIP = 10.0
 """A plate strip narrower than this between its neighbours is an error, mm."""
 

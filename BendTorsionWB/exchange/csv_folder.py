@@ -8,7 +8,9 @@ import io
 import os
 import re
 import shutil
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from itertools import islice
 from pathlib import Path
 
 import openpyxl
@@ -17,6 +19,7 @@ from openpyxl.cell.cell import ILLEGAL_CHARACTERS_RE
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.exchange.file_kind import refuse_loop
 from BendTorsionWB.exchange.schedule_columns import SHEETS
+from BendTorsionWB.exchange.schedule_headings import TITLE_ROWS, heading_name, sheet_name
 from BendTorsionWB.exchange.whole_file import (
     not_written,
     part_beside,
@@ -36,24 +39,40 @@ _NUMBER = re.compile(r"[+-]?\d+(\.\d*)?([eE][+-]?\d+)?%?")
 
 
 def read_folder(folder: Path) -> openpyxl.Workbook:
-    """A workbook with a sheet per `NAME.csv`, all cells as text, empty ones empty.
+    """A workbook with a sheet per `NAME.csv`, as `parted_folder` reads it."""
+    return parted_folder(folder)[0]
 
-    Comma, semicolon or tab parts the cells, whichever the first line holds most of; UTF-8, UTF-16
-    with its mark, or GB 18030. Where writing the folder was cut short, what was to be in it.
-    Raises BendTorsionError for files that cannot be read.
+
+def parted_folder(folder: Path) -> tuple[openpyxl.Workbook, dict[str, str]]:
+    """A workbook with a sheet per `NAME.csv`, all cells as text, empty ones empty; and what parts
+    the cells, by the sheet.
+
+    Comma, semicolon or tab parts the cells, whichever makes most headings of the sheet; UTF-8,
+    UTF-16 with its mark, or GB 18030. Where writing the folder was cut short, what was to be in it.
+    Raises BendTorsionError for files that cannot be read or named after no sheet.
     """
     book = openpyxl.Workbook()
     book.remove(book.active)
-    faults = []
+    faults, separators = [], {}
     if (folder / WHOLE).is_dir():
         folder = folder / WHOLE
-    for path in sorted(folder.glob("*.csv"), key=lambda path: path.name.lower()):
+    # A Mac lays a hidden file beside each it copies.
+    files = [path for path in folder.glob("[!.]*") if path.suffix.lower() == ".csv"]
+    for path in sorted(files, key=lambda path: path.name.lower()):
+        columns = [column.name for column in SHEETS.get(sheet_name(path.stem), ())]
         try:
-            rows = read_csv(path)
+            rows, separator = _parted(path, columns)
+            sheet = book.create_sheet(path.stem)
+            separators[path.stem] = separator
         except BendTorsionError as problem:
             faults += problem.findings
             continue
-        sheet = book.create_sheet(path.stem)
+        except ValueError:
+            # A name that no sheet of a workbook can have.
+            mend, known = "delete or rename it", ", ".join(SHEETS)
+            fields = {"value": path.stem, "limit": known}
+            faults.append(error("sheet-unknown", path.name, "unknown sheet", mend, **fields))
+            continue
         for row in rows:
             sheet.append([cell if cell.strip() else None for cell in row])
     if faults:
@@ -68,14 +87,20 @@ def read_folder(folder: Path) -> openpyxl.Workbook:
                 value=str(folder),
             )
         )
-    return book
+    return book, separators
 
 
-def read_csv(path: Path) -> list[list[str]]:
-    """The rows of a CSV file; raises BendTorsionError for one that cannot be read."""
+def read_csv(path: Path, columns: Sequence[str] = ()) -> list[list[str]]:
+    """The rows of a CSV file, parted as most of these columns are headings in a row; raises
+    BendTorsionError for one that cannot be read."""
+    return _parted(path, columns)[0]
+
+
+def _parted(path: Path, columns: Sequence[str]) -> tuple[list[list[str]], str]:
+    """The rows of a CSV file, and what parts its cells; raises BendTorsionError."""
     refuse_loop(path)
     try:
-        return _rows(path)
+        return _rows(path, columns)
     except FileNotFoundError:
         mend = "check the folder and the name"
         raise BendTorsionError(
@@ -98,7 +123,7 @@ def read_csv(path: Path) -> list[list[str]]:
         ) from reason
 
 
-def _rows(path: Path) -> list[list[str]]:
+def _rows(path: Path, columns: Sequence[str]) -> tuple[list[list[str]], str]:
     if path.stat().st_size > LARGEST_FILE:
         raise csv.Error(f"larger than {LARGEST_FILE / 1e6:g} MB")
     content = path.read_bytes()
@@ -116,9 +141,21 @@ def _rows(path: Path) -> list[list[str]]:
     if ILLEGAL_CHARACTERS_RE.search(text):
         raise csv.Error("it holds control characters")
     first = next((line for line in text.splitlines() if line.strip()), "")
-    separator = max(_SEPARATORS, key=first.count)
+    # A title above the headings may hold any of them, or none.
+    separator = max(_SEPARATORS, key=lambda by: (_headings(text, by, columns), first.count(by)))
     rows = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
-    return [[_read(cell) for cell in row] for row in rows]
+    return [[_read(cell) for cell in row] for row in rows], separator
+
+
+def _headings(text: str, separator: str, columns: Iterable[str]) -> int:
+    """The most of these columns that any of the first rows names."""
+    known = set(columns)
+    rows = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
+    try:
+        top = list(islice(rows, TITLE_ROWS))
+    except csv.Error:
+        return 0
+    return max((sum(heading_name(cell, known) in known for cell in row) for row in top), default=0)
 
 
 def write_folder(folder: Path, sheets: Mapping[str, Sequence[Sequence]]) -> None:
@@ -137,6 +174,9 @@ def write_folder(folder: Path, sheets: Mapping[str, Sequence[Sequence]]) -> None
             write_whole(part / f"{name}.csv", csv_bytes(rows))
         os.rename(part, whole)
         _into(whole, folder)
+    except BendTorsionError as problem:
+        # Of a file in a folder that is hidden and gone by now.
+        raise BendTorsionError(replace(f, object=str(folder)) for f in problem.findings) from None
     except OSError as failure:
         raise BendTorsionError(not_written(folder, failure)) from failure
     finally:

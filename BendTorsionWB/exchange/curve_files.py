@@ -13,6 +13,7 @@ from ezdxf.lldxf.const import DXFError
 from ezdxf.math import rational_bspline_from_ellipse
 
 from ..core.axes.axis_source import AxisSource, axis_source, found_source
+from ..core.file_end import CUT_SHORT, MEND, is_cut_short
 from ..core.finding import BendTorsionError, Finding, error, has_error, warning
 from ..core.geometry.curve import Curve
 
@@ -43,7 +44,17 @@ def dxf_axis(path: str | Path, name: str = "") -> AxisSource:
     Splines, arcs, ellipses and bulges exactly; straight polylines and lines as segments; points
     as bare points. Raises BendTorsionError for files that cannot be read and names not there.
     """
-    source = found_source(name, dxf_axes(path), Path(path).name)
+    path = Path(path)
+    document = _document(path)
+    sources = _sources(document, path.name)
+    # Names in DXF are alike whatever their case.
+    filled = {entity.dxf.layer.lower() for entity in _entities(document)}
+    named = [layer.dxf.name for layer in document.layers]
+    named += [entity.dxf.layer for entity in document.modelspace()]
+    named = list(dict.fromkeys(named))
+    layers = [layer for layer in sources if layer.lower() in filled]
+    empty = [layer for layer in named if layer.lower() not in filled]
+    source = found_source(name, sources, path.name, layers, empty)
     if has_error(source.findings):
         raise BendTorsionError(source.findings)
     return source
@@ -61,9 +72,25 @@ def dxf_unit(path: str | Path) -> float | None:
 def dxf_axes(path: str | Path) -> dict[str, AxisSource]:
     """All sources of a DXF file: by layer, then by handle of each entity."""
     path = Path(path)
+    return _sources(_document(path), path.name)
+
+
+def _document(path: Path):
+    if not path.is_file():
+        raise BendTorsionError(
+            error(
+                "file-missing",
+                path.name,
+                "there is no such file",
+                "write its path relative to the schedule",
+                value=path.name,
+            )
+        )
     try:
         if path.stat().st_size > LARGEST_FILE:
             raise DXFError(f"it is larger than {LARGEST_FILE / 1e6:g} MB")
+        if is_cut_short(path, "DXF"):
+            raise BendTorsionError(error("axis-file", path.name, CUT_SHORT, MEND))
         document = ezdxf.readfile(path)
     except (OSError, *DAMAGES) as problem:
         raise BendTorsionError(
@@ -74,19 +101,12 @@ def dxf_axes(path: str | Path) -> dict[str, AxisSource]:
                 "save it as DXF R2000 or later",
             )
         ) from problem
-    code = document.header.get("$INSUNITS", 0)
-    if code not in UNITS:
-        raise BendTorsionError(
-            error(
-                "axis-file-unit",
-                path.name,
-                "the drawing's unit is none of mm, cm, dm, m, inch, foot",
-                "set $INSUNITS to 4 (mm)",
-                position="$INSUNITS",
-                value=int(code),
-            )
-        )
-    entities = [
+    return document
+
+
+def _entities(document) -> list:
+    """Those of the model an axis can be made from."""
+    return [
         entity
         for entity in document.modelspace()
         if entity.dxftype() in KINDS
@@ -94,12 +114,28 @@ def dxf_axes(path: str | Path) -> dict[str, AxisSource]:
             entity.dxftype() == "POLYLINE" and (entity.is_polygon_mesh or entity.is_poly_face_mesh)
         )
     ]
+
+
+def _sources(document, file: str) -> dict[str, AxisSource]:
+    code = document.header.get("$INSUNITS", 0)
+    if code not in UNITS:
+        raise BendTorsionError(
+            error(
+                "axis-file-unit",
+                file,
+                "the drawing's unit is none of mm, cm, dm, m, inch, foot",
+                "set $INSUNITS to 4 (mm)",
+                position="$INSUNITS",
+                value=int(code),
+            )
+        )
+    entities = _entities(document)
     inserts = len(document.modelspace().query("INSERT"))
     findings = (
         (
             warning(
                 "axis-file-blocks",
-                path.name,
+                file,
                 "blocks of the drawing were not looked into",
                 "explode them when they hold the axis",
                 value=inserts,
@@ -122,7 +158,7 @@ def dxf_axes(path: str | Path) -> dict[str, AxisSource]:
             sources[name] = AxisSource(name, findings=problem.findings)
         except DAMAGES as problem:
             message = f"an entity cannot be read: {problem}"
-            damaged = error("axis-file", path.name, message, "draw it anew", position=name)
+            damaged = error("axis-file", file, message, "draw it anew", position=name)
             sources[name] = AxisSource(name, findings=(damaged,))
     return sources
 

@@ -7,7 +7,7 @@ import json
 import math
 import os
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, fields, is_dataclass
 
 from BendTorsionWB.exchange.file_kind import CHANGES, check_ending
@@ -21,7 +21,8 @@ from BendTorsionWB.exchange.xlsx_file import TEXT, Column, Table, xlsx_bytes
 @dataclass(frozen=True)
 class Change:
     """One difference. what: `added`, `removed`, `changed`, or `renamed` from before to after by its
-    looks (the same content under another name); kind and name: of the row or object; member: those
+    looks (the same content under another name) or, with the property Label, by its label in the
+    document; kind and name: of the row or object; member: those
     it concerns, parted by commas."""
 
     what: str
@@ -36,7 +37,8 @@ class Change:
         """The change as one line."""
         concerned = f" (members {self.member})" if self.member not in ("", self.name) else ""
         if self.what == "renamed":
-            return f"renamed, by its content: {self.kind} {self.before} -> {self.after}{concerned}"
+            by = "label" if self.property == "Label" else "content"
+            return f"renamed, by its {by}: {self.kind} {self.before} -> {self.after}{concerned}"
         if self.what != "changed":
             return f"{self.what}: {self.kind} {self.name}{concerned}"
         figures = f"{_shown(self.before)} -> {_shown(self.after)}"
@@ -61,6 +63,11 @@ def schedule_changes(before: Schedule, after: Schedule) -> tuple[Change, ...]:
         for (kind, was), name in renamed.items()
     ]
     told = {*renamed, *((kind, name) for (kind, _), name in renamed.items())}
+    for kind, name in [key for key in old if key[0] == "statuses" and key not in new]:
+        member, _, rest = name.rpartition("-")
+        now = (kind, f"{renamed.get(('members', member))}-{rest}")
+        if new.get(now) == old[kind, name]:
+            told |= {(kind, name), now}
     for key in dict.fromkeys((*old, *new)):
         kind, name = key
         members = concerned[1].get(key) or concerned[0].get(key, "")
@@ -72,11 +79,22 @@ def schedule_changes(before: Schedule, after: Schedule) -> tuple[Change, ...]:
             changes.append(Change("added", kind, name, member=members))
         else:
             one, other = old[key], new[key]
+            changes += _left(key, concerned, {*old} ^ {*new}, told)
             for path in dict.fromkeys((*one, *other)):
                 if one.get(path) != other.get(path):
                     values = one.get(path), other.get(path)
                     changes.append(Change("changed", kind, name, path, *values, member=members))
     return tuple(changes)
+
+
+def _left(key, concerned, whole: Collection, told: Collection) -> list[Change]:
+    """That an axis in both schedules has lost, or got, its only members with their rows. whole:
+    keys of rows in one schedule alone; told: those of renamed ones."""
+    was, now = (names.get(key, "") for names in concerned)
+    rows = {("members", name) for name in (was or now).split(", ")}
+    if key[0] != "axes" or bool(was) == bool(now) or not rows <= {*whole} - {*told}:
+        return []
+    return [Change("changed", *key, "member", was or None, now or None, member=was or now)]
 
 
 _NAMED = ("surfaces", "materials", "sections", "axes", "members")
@@ -100,7 +118,8 @@ def _contents(rows: Mapping[tuple[str, str], Row], others: Mapping) -> dict:
         if owner in others or owner[0] not in _NAMED:
             continue
         content = found.setdefault(owner, {})
-        number = len(content) if owner != key else 0
+        # Named by the rest of its name: in which order rows stand says nothing.
+        number = key[1].removeprefix(owner[1]) if owner != key else ""
         for path, value in _paths(row).items():
             table = _REFERENCES.get(path.rpartition(" ")[2])
             if (table, value) == owner:
@@ -281,6 +300,10 @@ def write_changes(changes: Sequence[Change], path: str | os.PathLike) -> None:
 
 
 def _cell(value):
+    if isinstance(value, bool):
+        return _shown(value)
+    if isinstance(value, float) and value.is_integer():
+        return int(value)
     return value if value is None or isinstance(value, (int, float, str)) else _shown(value)
 
 

@@ -9,7 +9,6 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
-from ezdxf.lldxf.validator import is_valid_layer_name
 
 from ..core.finding import BendTorsionError, error
 from ..core.geometry.arc_contour import extents
@@ -137,6 +136,8 @@ class _Label(NamedTuple):
 
 
 def _layer_names(layers: Mapping[str, str]) -> dict[str, str]:
+    from ezdxf.lldxf.validator import is_valid_layer_name
+
     names = {**LAYERS, **layers}
     for key, name in names.items():
         if key not in LAYERS:

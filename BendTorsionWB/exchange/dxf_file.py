@@ -13,7 +13,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 
-import ezdxf
 import numpy as np
 
 _DECIMALS = 6  # of coordinates, mm
@@ -171,6 +170,9 @@ def _frame(layers: tuple[Layer, ...], names: tuple[str, ...]) -> Frame:
 def new_frame(layers: tuple[Layer, ...], names: tuple[str, ...]) -> Frame:
     """The frame of a file with these layers and blocks: written by ezdxf with a point in the model
     and in every block where entities belong."""
+    # It takes a sixth of the time this program takes to start, and workers write these files.
+    import ezdxf
+
     document = ezdxf.new("R2010")
     header = document.header
     header["$INSUNITS"] = 4
@@ -201,6 +203,8 @@ def new_frame(layers: tuple[Layer, ...], names: tuple[str, ...]) -> Frame:
 
 
 def _text(document) -> str:
+    import ezdxf
+
     document.ezdxf_metadata()["CREATED_BY_EZDXF"] = ezdxf.__version__
     # ezdxf declares the types in use in the order of a set, another one in every process.
     for name in sorted(document.entitydb.dxf_types_in_use()):

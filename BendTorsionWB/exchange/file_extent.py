@@ -62,7 +62,7 @@ def extent_findings(
     shown = " x ".join(f"{length / 1000.0:.3f}" for length in size)
     at = ", ".join(f"{x / 1000.0:.3f}" for x in np.mean(box, axis=0))
     text = "tells no unit, mm taken" if unit is None else f"unit {unit_text(unit)}"
-    found = [note("file-read", name, f"{text}; {shown} m around {at} m", value=whole)]
+    found = [note("file-read", name, f"{text}; {shown} m around {at} m")]
     doubt = ""
     if not SMALLEST <= whole <= LARGEST:
         doubt = f"it measures {whole / 1000.0:.4g} m"

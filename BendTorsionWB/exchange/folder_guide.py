@@ -4,9 +4,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from textwrap import wrap
+
+from ..core.finding import Finding
+from ..core.lofting import MemberRecord
 
 README = "README.txt"
+LEFT_OUT = (
+    *("member-without-patterns", "plates-without-patterns"),
+    *("member-outdated", "members-not-built"),
+)
+"""Codes of findings that tell of members no file of the package holds."""
+_WIDTH = 96
 
 _ALWAYS = ("report.html", "results.xlsx", "report.json")
 
@@ -66,16 +76,37 @@ def rows(names: Collection[str]) -> Iterator[tuple[str, str]]:
     for name, what in GUIDE:
         parts = re.split("<[^>]+>", name)
         pattern = re.compile("[^/]+".join(map(re.escape, parts)))
-        found = {own for own in known if pattern.fullmatch(own)} - taken
+        begun = (own for own in known if own.startswith(parts[0]))
+        found = {own for own in begun if pattern.fullmatch(own)} - taken
         taken |= found
         if found:
             yield name, what
 
 
-def readme(project: str, version: str, listed: Sequence[tuple[str, str]]) -> str:
-    """The text of README.txt; project: its title, version: of the program; listed: as `rows`."""
+def left_out(records: Iterable[MemberRecord], findings: Iterable[Finding]) -> list[str]:
+    """What the package is without, a line each: members in error, and what LEFT_OUT tells of."""
+    lines = [
+        f"{record.member}: in error, see report.html" for record in records if not record.plates
+    ]
+    lines += [f"{f.object}: {f.message}" for f in findings if f.code in LEFT_OUT]
+    return list(dict.fromkeys(lines))
+
+
+def readme(
+    project: str,
+    version: str,
+    listed: Sequence[tuple[str, str]],
+    missing: Sequence[str] = (),
+) -> str:
+    """The text of README.txt; project: its title, version: of the program; listed: as `rows`;
+    missing: as `left_out`."""
     wide = max(len(name) for name, _ in listed)
     title = f"Fabrication package {project}".rstrip()
     lines = [title, "=" * len(title), f"Written by BendTorsion {version}.", ""]
+    if missing:
+        lines.append("NOT in this package:")
+        for told in missing:
+            lines += wrap(told, _WIDTH, initial_indent="  ", subsequent_indent="    ")
+        lines.append("")
     lines += [f"{name:{wide}}  {what}" for name, what in listed]
     return "\n".join(lines) + "\n" + _WORDS

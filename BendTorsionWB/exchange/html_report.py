@@ -60,11 +60,13 @@ def html_report(
     files: Iterable[tuple[str, str]] = (),
     length: Callable[[float], str] | None = None,
     nodes: Sequence[NodeRecord] | None = None,
+    plates: Sequence[str] | None = None,
 ) -> str:
     """The whole page, nothing outside it needed to show it. pictures: at the top; patterns: below,
     to be unfolded; files: of the folder the page lies in, by name, and what is in them; length:
     writes lengths of findings beside mm, as of `Finding.line`; nodes: of the project, with meetings
-    that are none, or those of the records."""
+    that are none, or those of the records; plates: plate_rows of each record, where they were made
+    before."""
     known = report.all_findings(records, findings)
     title = escape(project or "BendTorsion project")
     parts = [
@@ -87,7 +89,7 @@ def html_report(
         _pieces(records),
         *_nodes(nodes_of(records) if nodes is None else nodes),
         "<h2>Plates</h2>",
-        _plates(records),
+        _plates(map(plate_rows, records) if plates is None else plates),
         "<h2>Files of this folder</h2>",
         _table(["file", "what is in it"], [[_link(name), _cell(what)] for name, what in files]),
     ]
@@ -141,6 +143,7 @@ def _tiles(records: Sequence[MemberRecord], known: Sequence[Finding]) -> str:
 def _figures(records: Sequence[MemberRecord], known: Sequence[Finding]) -> str:
     names = [name for name, _, _ in figures.FIGURES]
     header = ["member", "sections", "plates", "length", "mass", *names, "result"]
+    told = report.findings_by_member(records, known)
     rows = []
     for record in records:
         cells = [
@@ -155,7 +158,7 @@ def _figures(records: Sequence[MemberRecord], known: Sequence[Finding]) -> str:
             figures.FIGURES, values, figures.signs(values), strict=True
         ):
             cells.append(_number(value, digits, "over" if sign == "!" else ""))
-        cells.append(_cell(report.verdict(record, known)))
+        cells.append(_cell(report.verdict(record, told[record.member])))
         rows.append(cells)
     limits = [*(_cell("") for _ in range(4)), _cell("limit")]
     limits += [_number(limit, digits) for _, limit, digits in figures.FIGURES]
@@ -276,7 +279,7 @@ def _limited(value: float | None, limit: float | None) -> str:
     return _number(value, 2, "over" if over else "")
 
 
-def _plates(records: Sequence[MemberRecord]) -> str:
+def _plates(made: Iterable[str]) -> str:
     header = [
         "plate",
         "part",
@@ -291,7 +294,13 @@ def _plates(records: Sequence[MemberRecord]) -> str:
         "bound",
         "strain, %",
     ]
-    rows = [
+    body = "\n".join(rows for rows in made if rows)
+    return _framed(header, body, (3, 4, 5, 6, 7, 9, 10, 11)) if body else "<p>None.</p>"
+
+
+def plate_rows(record: MemberRecord) -> str:
+    """A member's rows of the table of plates, which change with it alone."""
+    return _rows(
         [
             _cell(p.mark),
             _cell(p.part),
@@ -306,20 +315,23 @@ def _plates(records: Sequence[MemberRecord]) -> str:
             _number(p.length_error_bound, 4),
             _number(100.0 * p.strain_max, 4),
         ]
-        for record in records
         for p in record.plates
-    ]
-    return _table(header, rows, numbers=(3, 4, 5, 6, 7, 9, 10, 11))
+    )
 
 
 def _table(header: Sequence[str], rows, numbers=()) -> str:
-    if not rows:
-        return "<p>None.</p>"
+    return _framed(header, _rows(rows), numbers) if rows else "<p>None.</p>"
+
+
+def _rows(rows: Iterable[Sequence[str]]) -> str:
+    return "\n".join(f"<tr>{''.join(cells)}</tr>" for cells in rows)
+
+
+def _framed(header: Sequence[str], body: str, numbers=()) -> str:
     head = "".join(
         f'<th class="n">{escape(name)}</th>' if k in numbers else f"<th>{escape(name)}</th>"
         for k, name in enumerate(header)
     )
-    body = "\n".join(f"<tr>{''.join(cells)}</tr>" for cells in rows)
     table = f"<table><thead><tr>{head}</tr></thead><tbody>\n{body}\n</tbody></table>"
     return f'<div class="scroll">{table}</div>'
 

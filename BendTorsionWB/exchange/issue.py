@@ -8,20 +8,23 @@ it is ever written again.
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import re
 import shutil
 from collections.abc import Callable, Collection, Iterable, Mapping
-from contextlib import suppress
-from dataclasses import asdict, dataclass
+from concurrent.futures import Future
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path, PurePosixPath
 
-from BendTorsionWB.core.finding import BendTorsionError, error
+from BendTorsionWB.core.finding import BETWEEN, BendTorsionError, error
 from BendTorsionWB.core.lofting import MemberRecord
 from BendTorsionWB.exchange.csv_folder import csv_bytes
+from BendTorsionWB.exchange.issued_folder import ISSUED, OUTLINES, TRANSMITTAL
+from BendTorsionWB.exchange.known_hashes import file_hash
+from BendTorsionWB.exchange.left_out_files import kinds_gone
 from BendTorsionWB.exchange.output_folder import (
-    file_hash,
     is_unfinished,
     outdated_members,
     read_manifest,
@@ -31,6 +34,7 @@ from BendTorsionWB.exchange.plate_outlines import (
     CutOutline,
     cut_outline,
     read_outlines,
+    start_packing,
     write_outlines,
 )
 from BendTorsionWB.exchange.report import dxf_name, nc1_name
@@ -42,12 +46,16 @@ from BendTorsionWB.exchange.revision import (
     with_marking,
     write_revision,
 )
-from BendTorsionWB.exchange.whole_file import part_beside, remove_parts, write_whole
+from BendTorsionWB.exchange.revision_stamp import stamped
+from BendTorsionWB.exchange.whole_file import (
+    not_written,
+    part_beside,
+    remove_parts,
+    write_or_remove,
+    write_whole,
+)
 from BendTorsionWB.exchange.xlsx_file import HUNDREDTH, TEXT, WHOLE, Column, Table, xlsx_bytes
 
-ISSUED = "issued"
-TRANSMITTAL = "transmittal"
-OUTLINES = "outlines.npz"
 KEPT_OUTLINES = ".bendtorsion-outlines.npz"
 """The outlines of the plates of a folder, as the last build left them."""
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9.-]{0,15}")
@@ -57,7 +65,8 @@ _NOT_ISSUED = ("revision.xlsx", "revision.json", "report.json")
 @dataclass(frozen=True)
 class IssuedFile:
     """A line of a transmittal. name: of the build's file; issued_as: path below `issued`;
-    revision: in which it changed last; what: same, changed, new or void in this issue."""
+    revision: in which it changed last; what: same, changed, new or void in this issue; sha256 and
+    bytes: as issued; built: sha256 of the build's file where that has not the revision in it."""
 
     name: str
     issued_as: str
@@ -68,6 +77,11 @@ class IssuedFile:
     deviation: float | None
     sha256: str
     bytes: int
+    built: str = ""
+
+    def is_of(self, sha256: str) -> bool:
+        """Whether it was issued from a file of this hash."""
+        return sha256 == (self.built or self.sha256)
 
 
 @dataclass(frozen=True)
@@ -116,7 +130,7 @@ def unchanged_marks(out: Path, issue: Issue) -> set[str]:
     same: dict[str, bool] = {}
     for item in issue.files.values():
         if item.plate and item.what != "void":
-            equal = file_hash(out / item.name) == item.sha256
+            equal = item.is_of(file_hash(out / item.name))
             same[item.plate] = same.get(item.plate, True) and equal
     return {mark for mark, equal in same.items() if equal}
 
@@ -124,7 +138,8 @@ def unchanged_marks(out: Path, issue: Issue) -> set[str]:
 def issue(out: Path, revision: str, outlines: Path, note: str = "") -> Issue:
     """Freeze the files of a built folder under a revision. outlines: the file of the build's plate
     outlines. Raises BendTorsionError for a revision there is already, files that are not as the
-    build left them, a build in error, and a folder without a build; then nothing is written."""
+    build left them, a build in error or without a kind of file the issue before has, and a folder
+    without a build; then nothing is written."""
     out = Path(out)
     target = out / ISSUED / revision
     former = last_issue(out)
@@ -157,11 +172,12 @@ def issue(out: Path, revision: str, outlines: Path, note: str = "") -> Issue:
     now = read_outlines(outlines)
     if not manifest or not now:
         raise _fault("issue-nothing", str(out), "there is no whole build", "build it first")
+    if former:
+        _refuse_left_out(former, manifest)
     wrong = [name for name, own in manifest.items() if file_hash(out / name) != own.sha256]
     if wrong:
         raise BendTorsionError(
-            error("file-changed", str(out / name), "is not as the build left it", "build it again")
-            for name in wrong
+            finding for name in wrong for finding in _changed(out / name).findings
         )
     before = issued_outlines(out, former)
     same = unchanged_marks(out, former) if former else set()
@@ -170,11 +186,12 @@ def issue(out: Path, revision: str, outlines: Path, note: str = "") -> Issue:
     lines, copies = {}, []
     for name, own in sorted(manifest.items()):
         old = former.files.get(name) if former else None
-        if old is not None and old.what != "void" and old.sha256 == own.sha256:
+        if old is not None and old.what != "void" and old.is_of(own.sha256):
             line = IssuedFile(**{**asdict(old), "what": "same", "deviation": None})
         else:
             issued_as = _revised(name, revision)
             change = changes.get(marks.get(name, ""))
+            content = _content(out, name, own.sha256, revision)
             line = IssuedFile(
                 name,
                 f"{revision}/{issued_as}",
@@ -183,8 +200,9 @@ def issue(out: Path, revision: str, outlines: Path, note: str = "") -> Issue:
                 own.member,
                 marks.get(name, ""),
                 change.deviation if change else None,
+                hashlib.sha256(content).hexdigest(),
+                len(content),
                 own.sha256,
-                (out / name).stat().st_size,
             )
             copies.append((name, issued_as))
         lines[name] = line
@@ -196,6 +214,22 @@ def issue(out: Path, revision: str, outlines: Path, note: str = "") -> Issue:
     return made
 
 
+def _refuse_left_out(former: Issue, names: Iterable[str]) -> None:
+    valid = [name for name, item in former.files.items() if item.what != "void"]
+    gone = kinds_gone(valid, names)
+    if gone:
+        raise BendTorsionError(
+            error(
+                "issue-left-out",
+                kind,
+                f"was left out of the last build, and issue {former.revision} has it",
+                f"build the same schedule again with the {kind}, then issue it",
+                value=BETWEEN.join(own[:3]),
+            )
+            for kind, own in gone.items()
+        )
+
+
 def _check(out: Path, revision: str, target: Path) -> None:
     if not _NAME.fullmatch(revision):
         mend = "use letters, digits, points and hyphens, such as B or P02"
@@ -203,6 +237,18 @@ def _check(out: Path, revision: str, target: Path) -> None:
     taken = {p.name.lower() for p in (out / ISSUED).glob("*") if not p.name.startswith(".")}
     if revision.lower() in taken:
         raise _fault("revision-exists", str(target), "is issued already", "choose another --rev")
+
+
+def _content(out: Path, name: str, sha256: str, revision: str) -> bytes:
+    """A file of the build with the revision in it; raises BendTorsionError when it is not as the
+    build left it."""
+    try:
+        content = (out / name).read_bytes()
+    except OSError:
+        content = b""
+    if hashlib.sha256(content).hexdigest() != sha256:
+        raise _changed(out / name)
+    return stamped(name, content, revision)
 
 
 def _revised(name: str, revision: str) -> str:
@@ -216,7 +262,8 @@ def _freeze(out: Path, target: Path, made: Issue, copies, outlines) -> None:
     try:
         for name, issued_as in copies:
             (part / issued_as).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(out / name, part / issued_as)
+            content = _content(out, name, made.files[name].built, made.revision)
+            (part / issued_as).write_bytes(content)
         part.mkdir(parents=True, exist_ok=True)
         write_outlines(outlines.values(), part / OUTLINES)
         _write_transmittal(made, part)
@@ -224,9 +271,11 @@ def _freeze(out: Path, target: Path, made: Issue, copies, outlines) -> None:
             if path.is_file():
                 path.chmod(0o444)
         os.rename(part, target)
+    except BendTorsionError as problem:
+        # Of a file in a folder that is hidden and gone by now.
+        raise BendTorsionError(replace(f, object=str(target)) for f in problem.findings) from None
     except OSError as failure:
-        mend = "free space on the disk, or allow writing to the folder"
-        raise _fault("file-not-written", str(target), f"{failure.strerror}", mend) from failure
+        raise BendTorsionError(not_written(target, failure)) from failure
     finally:
         shutil.rmtree(part, ignore_errors=True)
 
@@ -245,7 +294,7 @@ COLUMNS = (
 
 
 def _write_transmittal(made: Issue, folder: Path) -> None:
-    rows = [rounded_row(asdict(line)) for line in made.files.values()]
+    rows = [rounded_row(_told(line)) for line in made.files.values()]
     counts = [(what, counted(made)[what]) for what in ("new", "changed", "same", "void")]
     notes = [("revision", made.revision), ("note", made.note), *counts]
     table = Table("Transmittal", COLUMNS, rows, notes)
@@ -274,11 +323,12 @@ def counted(made: Issue) -> dict[str, int]:
 
 @dataclass(frozen=True)
 class Comparison:
-    """A build against the last issue: the outlines of the folder's plates now, the changes of those
-    built, and all marks there are or were in an issue."""
+    """A build against the last issue: the outlines of the folder's plates now, and as they are
+    kept, the changes of those built, and all marks there are or were in an issue."""
 
     issue: Issue | None
     outlines: Mapping[str, CutOutline]
+    packed: Future[bytes]
     changes: tuple[PlateChange, ...]
     marks: frozenset[str]
 
@@ -302,7 +352,8 @@ def compared(
     if left_out:
         others = read_outlines(kept).values()
         now |= {plate.mark: plate for plate in others if plate.member in left_out}
-    return Comparison(former, now, changes, frozenset({*now, *issued_marks(out)}))
+    packed = start_packing([now[mark] for mark in sorted(now)])
+    return Comparison(former, now, packed, changes, frozenset({*now, *issued_marks(out)}))
 
 
 def comparison_files(found: Comparison) -> list[str]:
@@ -320,14 +371,22 @@ def write_comparison(
     """Keep the outlines, and write what changed since the last issue; names of the files. refused:
     members in error, of which there are no files to compare. Outlines that cannot be kept leave
     the build as it is; it cannot be issued then."""
-    with suppress(BendTorsionError):
-        write_outlines([found.outlines[mark] for mark in sorted(found.outlines)], kept)
+    write_or_remove(kept, found.packed.result())
     if found.issue is None:
         return []
     same = unchanged_marks(out, found.issue)
     same |= {mark for mark, plate in found.outlines.items() if plate.member in refused}
     changes = with_marking(found.changes, same, statuses)
     return write_revision(found.issue.revision, changes, out)
+
+
+def _told(line: IssuedFile) -> dict[str, object]:
+    """The fields of a line that the receiver's tables have."""
+    return {name: value for name, value in asdict(line).items() if name != "built"}
+
+
+def _changed(path: Path) -> BendTorsionError:
+    return _fault("file-changed", str(path), "is not as the build left it", "build it again")
 
 
 def _fault(code: str, object: str, message: str, mend: str) -> BendTorsionError:

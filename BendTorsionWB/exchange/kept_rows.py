@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rows of a schedule that none of its members needs (sections, materials, surfaces, axes) and what
-the shop has done with plates: kept in a document as JSON, so that they come back from it."""
+"""Rows of a schedule that none of its members needs (sections, materials, surfaces, axes), its
+defaults for empty cells, and what the shop has done with plates: kept in a document as JSON, so
+that they come back from it."""
 
 from __future__ import annotations
 
@@ -12,6 +13,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from xml.sax.saxutils import escape
 
+from BendTorsionWB.exchange.schedule_columns import SETTINGS
 from BendTorsionWB.exchange.schedule_workbook import Record
 from BendTorsionWB.exchange.timeless import timeless_document
 from BendTorsionWB.exchange.whole_file import whole_file
@@ -31,12 +33,15 @@ _BELOW = {"Points": "axis", "Frames": "axis", "Presets": "axis", "Strips": "sect
 """By sheet with rows below those of another: the column that names these."""
 _NEEDS = {"Axes": ("surface", "Surfaces"), "Sections": ("material", "Materials")}
 _BUILT_IN = {"Materials": {"S355"}, "Surfaces": set()}
+_DEFAULTS = {"default_slope": (int, float), "default_material": (str,)}
+"""Settings that no object has: cells left empty take them, and objects have what came of it."""
 _ITEM = re.compile(rf'(<Item key="{KEY}" value=")([^"]*)')
 
 
-def unused_rows(records: Mapping[str, list[Record] | None], material: str) -> str:
-    """Those rows as JSON: by sheet, cells by column. material: of sections that name none; rows
-    that name files stay out, since files lie beside the schedule."""
+def kept_rows(records: Mapping[str, list[Record] | None], defaults: Mapping[str, object]) -> str:
+    """Those rows as JSON: by sheet, cells by column. defaults: settings by key, those for empty
+    cells among them; rows that name files stay out, since files lie beside the schedule."""
+    material = defaults["default_material"]
     members = records["Members"] or []
     cuts = [row[cell] for row in members for cell in ("start_cut", "end_cut") if row[cell]]
     axes = {row["axis"] for row in members if row["axis"]}
@@ -55,6 +60,9 @@ def unused_rows(records: Mapping[str, list[Record] | None], material: str) -> st
         "Status": set(),
     }
     kept: dict[str, list[dict]] = {}
+    for key in _DEFAULTS:
+        if defaults[key] != SETTINGS[key].default:
+            kept.setdefault("Settings", []).append({"key": key, "value": defaults[key]})
     for sheet, name in _NAMED.items():
         for row in records[sheet] or []:
             if row[name] not in used[sheet] and not row.given.keys() & {"file", "source"}:
@@ -81,13 +89,29 @@ def _cells(row: Record) -> dict:
     }
 
 
-def add_kept(cells: dict[str, list[dict]], text: str) -> None:
-    """Add kept rows to the cells of a schedule, by sheet, where there is no row of the name and
-    what they refer to is there. Damaged ones are none."""
+def _kept_rows(text: str) -> dict[str, list[dict]]:
+    """Kept rows by sheet; damaged ones are none."""
     try:
-        kept = {str(sheet): [dict(row) for row in rows] for sheet, rows in json.loads(text).items()}
+        return {str(sheet): [dict(row) for row in rows] for sheet, rows in json.loads(text).items()}
     except (ValueError, TypeError, AttributeError):
-        return
+        return {}
+
+
+def kept_settings(text: str) -> dict[str, object]:
+    """The kept defaults by key."""
+    given = [(row.get("key"), row.get("value")) for row in _kept_rows(text).get("Settings", ())]
+    return {key: value for key, value in given if isinstance(value, _DEFAULTS.get(key, ()))}
+
+
+def add_kept(cells: dict[str, list[dict]], text: str, names: Mapping[str, str]) -> None:
+    """Add kept rows to the cells of a schedule, by sheet, where there is no row of the name and
+    what they refer to is there; a default material that is not goes. names: of members that are
+    called otherwise now, whose plates are too."""
+    kept = _kept_rows(text)
+    for row in kept.get("Status", ()):
+        member, hyphen, rest = str(row.get("plate")).rpartition("-")
+        if member in names:
+            row["plate"] = f"{names[member]}{hyphen}{rest}"
     added: dict[str, set] = {}
     for sheet, name in _NAMED.items():
         present = {row.get(name) for row in cells.get(sheet, ())}
@@ -101,6 +125,10 @@ def add_kept(cells: dict[str, list[dict]], text: str) -> None:
         own = [row for row in kept.get(sheet, ()) if row.get(name) in added.get(name, ())]
         if own:
             cells.setdefault(sheet, []).extend(own)
+    known = {row["material"] for row in cells.get("Materials", ())} | _BUILT_IN["Materials"]
+    settings = cells.get("Settings", ())
+    gone = [r for r in settings if r["key"] == "default_material" and r["value"] not in known]
+    cells["Settings"] = [row for row in settings if row not in gone]
 
 
 def has_kept(path: Path, text: str) -> bool:

@@ -39,7 +39,7 @@ def refuse_linked(path: Path) -> None:
                 "document-linked",
                 path.name,
                 "holds no member itself: it links to the documents of a split model",
-                f"name one of these: {told}",
+                f"open or name one of these: {told}",
                 value=str(path),
             )
         )

@@ -8,18 +8,21 @@ import itertools
 import json
 import os
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from pathlib import Path
 
 from BendTorsionWB.core.finding import BETWEEN, BendTorsionError, Finding, error, warning
+from BendTorsionWB.exchange.issued_folder import refuse_issued
+from BendTorsionWB.exchange.known_hashes import KnownHashes, file_hash
+from BendTorsionWB.exchange.left_out_files import kinds_gone
 from BendTorsionWB.exchange.whole_file import not_written, remove_parts, write_whole
 
-_AT_ONCE = 65536
-"""Bytes of a file that are read and hashed at once."""
 MANIFEST = ".bendtorsion.json"
 """The record of our files in the folder."""
 JOURNAL = ".bendtorsion.journal"
 """What a build has written so far, a line (JSON) per file; gone when its record is whole."""
+_FIELDS = ("member", "made_from", "sha256", "told")
+_quoted = json.encoder.encode_basestring_ascii
 UPDATED = "update "
 """How the key of a document begins that was brought up to date and may hold hand-made additions."""
 
@@ -35,13 +38,18 @@ class OwnFile:
     sha256: str = ""
     told: str = ""
 
-    def as_record(self) -> dict[str, str]:
-        """Its fields for the record of the folder."""
-        return {key: value for key, value in vars(self).items() if value or key != "told"}
+    def as_json(self, name: str = "") -> str:
+        """Its fields for the record of the folder, after its name where one is given."""
+        texts = (("name", name),) if name else ()
+        texts += (("member", self.member), ("made_from", self.made_from), ("sha256", self.sha256))
+        texts += (("told", self.told),) if self.told else ()
+        return "".join(("{", ", ".join(f'"{key}": {_quoted(own)}' for key, own in texts), "}"))
 
 
 def check_folder(out: Path) -> None:
-    """Raises BendTorsionError when the folder cannot be written to, before hours of computing."""
+    """Raises BendTorsionError when the folder cannot be written to or is of an issue, before hours
+    of computing."""
+    refuse_issued(out)
     existing = next(p for p in (out, *out.absolute().parents) if os.path.exists(p))
     if existing.is_dir() and os.access(existing, os.W_OK | os.X_OK):
         return
@@ -91,7 +99,7 @@ def _own_file(within: _Within, name: str, item: object) -> OwnFile | None:
             return None
     except (OSError, ValueError):
         return None
-    return OwnFile(*(str(item.get(own.name, "")) for own in fields(OwnFile)))
+    return OwnFile(*(str(item.get(key, "")) for key in _FIELDS))
 
 
 class _Within:
@@ -141,11 +149,20 @@ def _read_journal(out: Path) -> list[tuple[str, OwnFile]]:
 
 
 def _read(out: Path) -> dict:
+    """The record of a folder, not to be changed; asked for again and again by a build."""
+    place = out / MANIFEST
     try:
-        former = json.loads((out / MANIFEST).read_text(encoding="utf-8"))
+        told = place.stat()
+        stamp = (str(place), told.st_ino, told.st_size, told.st_mtime_ns, told.st_ctime_ns)
+        if _last_read.get("stamp") != stamp:
+            former = json.loads(place.read_text(encoding="utf-8"))
+            _last_read.update(stamp=stamp, record=former if isinstance(former, dict) else {})
     except (OSError, ValueError):
         return {}
-    return former if isinstance(former, dict) else {}
+    return _last_read["record"]
+
+
+_last_read: dict = {}
 
 
 def outdated_members(out: Path) -> list[str]:
@@ -169,35 +186,12 @@ def write_manifest(
 ) -> None:
     """Keep the record of a project's files. outdated: members these are no longer of; errors: as
     of `standing_errors`. Raises BendTorsionError."""
-    lines = ",\n".join(
-        f"{json.dumps(name)}: {json.dumps(files[name].as_record())}" for name in sorted(files)
-    )
+    lines = ",\n".join(f"{_quoted(name)}: {files[name].as_json()}" for name in sorted(files))
     told = f'"outdated": {json.dumps(list(outdated))}, ' if outdated else ""
     told += f'"errors": {json.dumps(dict(errors))}, ' if errors else ""
     text = f'{{"project": {json.dumps(project)}, {told}"files": {{\n{lines}\n}}}}\n'
+    _last_read.clear()
     write_whole(out / MANIFEST, text.encode())
-
-
-def file_hash(path: Path) -> str:
-    """sha256 of a file; empty when it cannot be read."""
-    digest = hashlib.sha256()
-    try:
-        # In parts: models are large; of thousands of small files each is one.
-        with open(path, "rb", buffering=0) as stream:
-            while part := stream.read(_AT_ONCE):
-                digest.update(part)
-    except OSError:
-        return ""
-    return digest.hexdigest()
-
-
-def is_current(out: Path, name: str, own: OwnFile | None, made_from: str) -> bool:
-    """Whether a file is there, as we wrote it, from this very input."""
-    return (
-        own is not None
-        and own.made_from == made_from != ""
-        and file_hash(out / name) == own.sha256 != ""
-    )
 
 
 def remove(out: Path, names: Iterable[str]) -> None:
@@ -222,14 +216,16 @@ class OutputFolder:
     def __init__(self, out: Path, former: dict[str, OwnFile], project: str = ""):
         self.out, self.former, self.now, self.project = out, former, {}, project
         self.errors = standing_errors(out)
-        self._noted, self._within = False, _Within(out)
+        self._noted, self._within, self._hashes = False, _Within(out), KnownHashes(out)
         self._told: list[Finding] = []
-        for folder in {out, out / ".cache", *((out / name).parent for name in former)}:
-            remove_parts(folder)
+        for folder in {"", ".cache", *(os.path.dirname(name) for name in former)}:
+            remove_parts(out / folder)
 
     def has(self, name: str, made_from: str) -> bool:
         """Whether the file is there already, from this very input."""
-        return name in self.now or is_current(self.out, name, self.former.get(name), made_from)
+        own = self.former.get(name)
+        same = own is not None and own.made_from == made_from != ""
+        return name in self.now or (same and self._hashes.of(name) == own.sha256 != "")
 
     def keep(self, name: str) -> None:
         """The file stays as it is."""
@@ -244,16 +240,24 @@ class OutputFolder:
         own = OwnFile(member, made_from, hashlib.sha256(content).hexdigest())
         self._note(name, own)
         write_whole(self.out / name, content)
+        self._hashes.wrote(name, own.sha256)
         self.now[name] = own
 
     def wrote(
-        self, name: str, made_from: str, member: str = "", left: Iterable[Finding] = ()
+        self,
+        name: str,
+        made_from: str,
+        member: str = "",
+        left: Iterable[Finding] = (),
+        sha256: str = "",
     ) -> None:
-        """The file, begun before, has just been written. left: as `left_in` tells it later."""
+        """The file, begun before, has just been written. left: as `left_in` tells it later; sha256:
+        of the file, where it was taken before."""
         told = [finding.as_dict() for finding in left]
-        self.now[name] = OwnFile(
-            member, made_from, file_hash(self.out / name), json.dumps(told) if told else ""
-        )
+        if sha256:
+            self._hashes.wrote(name, sha256)
+        found = sha256 or self._hashes.of(name)
+        self.now[name] = OwnFile(member, made_from, found, json.dumps(told) if told else "")
         self._note(name, self.now[name])
 
     def left_in(self, name: str) -> tuple[Finding, ...]:
@@ -269,7 +273,7 @@ class OutputFolder:
         if "\0" in name or not self._within.holds(name):
             mend = "rename the member, section or plate it is named after"
             raise BendTorsionError(error("file-outside", name, "lies outside the folder", mend))
-        line = json.dumps({"name": name, **own.as_record()}) + "\n"
+        line = "".join((own.as_json(name), "\n"))
         try:
             self.out.mkdir(parents=True, exist_ok=True)
             if not self._noted and _read(self.out).get("project") != self.project:
@@ -312,14 +316,14 @@ class OutputFolder:
         they are; outdated: those of them that changed since; refused: members in error, of which
         nothing is written; findings: of the build. Files changed by hand stay, documents brought up
         by an update are set aside, both with a warning; so is a member in error whose former files
-        are removed."""
-        found, lost = [], []
+        are removed, and what was removed of a kind of files the build was told to leave out."""
+        found, lost, removed = [], [], []
         for name, own in self.former.items():
             if name in self.now:
                 continue
             if own.member in left_out:
                 self.now[name] = own
-            elif not own.member and file_hash(self.out / name) not in ("", own.sha256):
+            elif not own.member and self._hashes.of(name) not in ("", own.sha256):
                 found.append(
                     warning(
                         "file-outdated",
@@ -332,6 +336,7 @@ class OutputFolder:
                 self.save_by_hand(name)
             else:
                 remove(self.out, [name])
+                removed.append(name)
                 lost += [own.member] if own.member in refused else []
         if lost:
             found.append(
@@ -343,9 +348,21 @@ class OutputFolder:
                     value=float(len(lost)),
                 )
             )
+        for kind, own in kinds_gone(removed, self.now).items() if not refused else ():
+            found.append(
+                warning(
+                    "files-left-out",
+                    kind,
+                    "left out of this build; the files of the build before are removed",
+                    "build again with them when they are needed, as for an issue",
+                    value=BETWEEN.join(own[:3]),
+                )
+            )
         errors = {key: told for key, told in self.errors.items() if _is_of(key, left_out)}
         errors |= {f.object: f.message for f in findings if f.severity == "error"}
         write_manifest(self.out, self.now, self.project, outdated, errors)
+        if self._noted:
+            self._hashes.keep(self.now, os.stat(self.out / MANIFEST).st_mtime_ns)
         remove(self.out, [JOURNAL])
         return (*self._told, *found)
 

@@ -14,13 +14,14 @@ from ..core.joints.stock import stock_of
 from ..core.plates.diaphragm_input import ENDS, closing_of
 from ..core.plates.face_marks import mark_words
 from ..core.plates.hole_shape import hole_shape, placed_hole
+from ..core.written_number import per_cent
 from .schedule_cells import BadCell, along, text
 
 
 def place(value) -> str:
     """A place of a member: mm from its start, or 0% to 100%."""
     found = along(value)
-    return f"{found.value * 100.0!r}%" if found.is_ratio else repr(found.value)
+    return per_cent(found.value) if found.is_ratio else repr(found.value)
 
 
 def place_or_end(value) -> str:

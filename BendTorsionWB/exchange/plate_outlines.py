@@ -6,6 +6,7 @@ from __future__ import annotations
 import io
 import zipfile
 from collections.abc import Iterable, Mapping
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -36,7 +37,11 @@ class CutOutline:
 def cut_outline(plate: DevelopedPlate) -> CutOutline:
     """The outline of a developed plate, allowances included."""
     cut = as_cut(plate)
-    ends = {line.label: float(line.flat[:, 0].mean()) for line in cut.lines}
+    ends = {
+        line.label: float(line.flat[:, 0].mean())
+        for line in cut.lines
+        if line.label in ("E-1", "E-2")
+    }
     return CutOutline(
         plate.mark,
         plate.member,
@@ -55,12 +60,27 @@ def _closed(runs) -> np.ndarray:
     """Runs head to tail as one closed polygon, each point once."""
     runs = [np.asarray(run, float) for run in (runs if isinstance(runs, tuple) else (runs,))]
     points = np.vstack([run[:-1] if len(run) > 1 else run for run in runs])
-    keep = np.linalg.norm(points - np.roll(points, 1, axis=0), axis=1) > 1e-9
-    return points[keep]
+    step = np.empty_like(points)
+    step[0], step[1:] = points[0] - points[-1], points[1:] - points[:-1]
+    return points[np.hypot(step[:, 0], step[:, 1]) > 1e-9]
 
 
 def write_outlines(plates: Iterable[CutOutline], path: Path) -> None:
-    """Keep outlines; the same plates give the same bytes. Raises BendTorsionError."""
+    """Keep outlines. Raises BendTorsionError."""
+    write_changed(path, outlines_bytes(plates))
+
+
+def start_packing(plates: Iterable[CutOutline]) -> Future[bytes]:
+    """Have `outlines_bytes` made in a thread: while it packs it leaves Python to others."""
+    thread = ThreadPoolExecutor(1)
+    try:
+        return thread.submit(outlines_bytes, list(plates))
+    finally:
+        thread.shutdown(wait=False)
+
+
+def outlines_bytes(plates: Iterable[CutOutline]) -> bytes:
+    """The file of these outlines; the same plates give the same bytes."""
     plates = list(plates)
     rings = [ring for plate in plates for ring in (plate.outline, *plate.holes)]
     figures = [[p.thickness, p.length, p.width, p.mass, p.end_first] for p in plates]
@@ -79,7 +99,7 @@ def write_outlines(plates: Iterable[CutOutline], path: Path) -> None:
         for name, values in kept.items():
             with file.open(f"{name}.npy", "w", force_zip64=True) as part:
                 np.lib.format.write_array(part, values, allow_pickle=False)
-    write_changed(path, stream.getvalue())
+    return stream.getvalue()
 
 
 def read_outlines(path: Path) -> Mapping[str, CutOutline]:

@@ -10,6 +10,8 @@ from pathlib import Path
 from BendTorsionWB.core.finding import BendTorsionError, Finding
 from BendTorsionWB.exchange.csv_folder import read_csv
 from BendTorsionWB.exchange.revision import STATUSES
+from BendTorsionWB.exchange.schedule_columns import SHEETS
+from BendTorsionWB.exchange.schedule_headings import heading_name, heading_row
 from BendTorsionWB.exchange.schedule_rows import StatusRow
 from BendTorsionWB.exchange.schedule_workbook import Place
 
@@ -18,18 +20,20 @@ PROPOSED = 50
 
 
 def read_statuses(path: str | Path) -> tuple[StatusRow, ...]:
-    """The rows of a CSV file with the columns plate and status; raises BendTorsionError with one
-    finding per bad row."""
+    """The rows of a CSV file with the columns plate and status, in Chinese too, titles above them
+    passed over; raises BendTorsionError with one finding per bad row."""
     path = Path(path)
-    headings, *rows = read_csv(path) or [[]]
-    names = [heading.strip().lower() for heading in headings]
+    columns = [column.name for column in SHEETS["Status"]]
+    rows = [[cell.strip() for cell in row] for row in read_csv(path, columns)] or [[]]
+    top = heading_row([[cell.lower() for cell in row] for row in rows], columns)
+    names = [heading_name(heading.lower(), columns) for heading in rows[top - 1]]
     if "plate" not in names or "status" not in names:
-        place = Place(path.name, "", 1)
+        place = Place(path.name, "", top)
         message, mend = "no columns plate and status", "write the headings plate,status in row 1"
         raise BendTorsionError(place.error("", "heading-missing", message, mend))
     found, faults = {}, []
-    for number, row in enumerate(rows, start=2):
-        cells = dict(zip(names, (cell.strip() for cell in row)))
+    for number, row in enumerate(rows[top:], start=top + 1):
+        cells = dict(zip(names, row))
         mark, status = cells.get("plate", ""), cells.get("status", "").lower()
         if not mark and not status:
             continue

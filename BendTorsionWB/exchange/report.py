@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterable, Sequence
+from itertools import chain
 
 from ..core.finding import Finding, has_error
 from ..core.lofting import DevelopedPlate, MemberRecord
@@ -59,18 +60,34 @@ def all_findings(
     return list(dict.fromkeys(collected))
 
 
-def findings_of(record: MemberRecord, findings: Iterable[Finding]) -> list[Finding]:
-    """Those of `findings` that concern a member: its own, and those naming it or its plates."""
-    own = set(record.findings)
-    names = {record.member, *(plate.mark for plate in record.plates)}
-    return [f for f in findings if f in own or not names.isdisjoint(f.objects)]
+def findings_by_member(
+    records: Sequence[MemberRecord], findings: Iterable[Finding]
+) -> dict[str, list[Finding]]:
+    """Those of `findings` that concern each member: its own, and those naming it or its plates."""
+    # Each looked at once: a building has as many as plates.
+    members: dict[str | Finding, list[str]] = {}
+    for record in records:
+        names = {record.member, *(plate.mark for plate in record.plates)}
+        for key in (*names, *record.findings):
+            members.setdefault(key, []).append(record.member)
+    found: dict[str, list[Finding]] = {record.member: [] for record in records}
+    for finding in findings:
+        concerned = (members.get(key, ()) for key in (finding, *finding.objects))
+        for name in dict.fromkeys(chain.from_iterable(concerned)):
+            found[name].append(finding)
+    return found
 
 
-def of_member(name: str, findings: Iterable[Finding]) -> tuple[Finding, ...]:
-    """Those of `findings` that concern the member or one of its plates."""
-    return tuple(
-        f for f in findings if any(own == name or own.startswith(f"{name}-") for own in f.objects)
-    )
+def of_members(names: Iterable[str], findings: Iterable[Finding]) -> dict[str, tuple[Finding, ...]]:
+    """Those of `findings` that concern each of these members or one of its plates."""
+    found: dict[str, dict[int, Finding]] = {name: {} for name in names}
+    for place, finding in enumerate(findings):
+        for own in finding.objects:
+            ends = [k for k, letter in enumerate(own) if letter == "-"]
+            for end in (*ends, len(own)):
+                if own[:end] in found:
+                    found[own[:end]][place] = finding
+    return {name: tuple(own.values()) for name, own in found.items()}
 
 
 def report_json(
@@ -87,11 +104,8 @@ def report_json(
     return {
         "version": version,
         "members": [_member(record) for record in records],
-        "nodes": [
-            {**node_json(node), "other": node.other, "status": node.status}
-            for node in (nodes_of(records) if nodes is None else nodes)
-        ],
-        "findings": [_plain(finding.as_dict()) for finding in all_findings(records, findings)],
+        "nodes": _nodes(records, nodes),
+        "findings": _findings(records, findings),
     }
 
 
@@ -101,17 +115,39 @@ def write_report(
     version: str,
     path: str | os.PathLike,
     nodes: Sequence[NodeRecord] | None = None,
+    members: Sequence[str] | None = None,
 ) -> None:
-    """Write report.json: strict JSON, UTF-8, a line for each member, node and finding. Raises
-    BendTorsionError when it cannot be written."""
-    content = report_json(records, findings, version, nodes)
-    # An encoder that indents takes ten times as long.
-    encoder = json.JSONEncoder(ensure_ascii=False, allow_nan=False)
-    parts = [f'{{"version": {encoder.encode(content["version"])}']
-    for key in ("members", "nodes", "findings"):
-        lines = ",\n".join(map(encoder.encode, content[key]))
-        parts.append(f'"{key}": [\n{lines}\n]')
+    """Write report.json: strict JSON, UTF-8, a line for each member, node and finding. members:
+    member_line of each record, where they were made before. Raises BendTorsionError when it cannot
+    be written."""
+    lines = {"members": list(map(member_line, records)) if members is None else members}
+    lines["nodes"] = map(_ENCODER.encode, _nodes(records, nodes))
+    lines["findings"] = map(_ENCODER.encode, _findings(records, findings))
+    parts = [f'{{"version": {_ENCODER.encode(version)}']
+    for key, own in lines.items():
+        every = ",\n".join(own)
+        parts.append(f'"{key}": [\n{every}\n]')
     write_whole(path, (",\n".join(parts) + "}\n").encode("utf-8", "replace"))
+
+
+def member_line(record: MemberRecord) -> str:
+    """A member in report.json, which changes with it alone."""
+    return _ENCODER.encode(_member(record))
+
+
+# An encoder that indents takes ten times as long.
+_ENCODER = json.JSONEncoder(ensure_ascii=False, allow_nan=False)
+
+
+def _nodes(records: Sequence[MemberRecord], nodes: Sequence[NodeRecord] | None) -> list[dict]:
+    return [
+        {**node_json(node), "other": node.other, "status": node.status}
+        for node in (nodes_of(records) if nodes is None else nodes)
+    ]
+
+
+def _findings(records: Sequence[MemberRecord], findings: Iterable[Finding]) -> list[dict]:
+    return [_plain(finding.as_dict()) for finding in all_findings(records, findings)]
 
 
 def _member(record: MemberRecord) -> dict:
@@ -209,9 +245,10 @@ def _plain(record: dict) -> dict:
     }
 
 
-def verdict(record: MemberRecord, known: Iterable[Finding]) -> str:
-    """`FAIL` of a member in error, `over` of one beyond a limit, else `ok`."""
-    if not record.plates or has_error(findings_of(record, known)):
+def verdict(record: MemberRecord, own: Iterable[Finding]) -> str:
+    """`FAIL` of a member in error, `over` of one beyond a limit, else `ok`. own: of what was found
+    that which concerns it."""
+    if not record.plates or has_error(own):
         return "FAIL"
     return "ok" if within_limits(record) else "over"
 
@@ -236,11 +273,12 @@ def summary_lines(records: Sequence[MemberRecord], findings: Iterable[Finding]) 
     carries a star. An error makes the member `FAIL`.
     """
     known = all_findings(records, findings)
+    told = findings_by_member(records, known)
     lines = [_table_row([name for name, _, _ in _HEADINGS])]
     lines.append("-" * len(lines[0]))
     good = 0
     for record in records:
-        result = verdict(record, known)
+        result = verdict(record, told[record.member])
         good += result == "ok"
         lines.append(_table_row([*_facts(record), *_marked(figures(record)), result]))
     lines.append("-" * len(lines[0]))

@@ -27,6 +27,7 @@ from BendTorsionWB.core.collection import without_collection
 from BendTorsionWB.core.detailing import DetailedMember
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.memo import content_hash
+from BendTorsionWB.core.unpacking import ARRAY, array_of
 from BendTorsionWB.exchange.whole_file import write_whole
 
 FOLDER = ".cache"
@@ -102,15 +103,16 @@ class ResultCache:
     def keep(self, key: str, result: DetailedMember, packed: bytes = b"") -> None:
         """Keep a result; packed: as a worker packed it. A folder that cannot be written to costs
         time at the next build only."""
-        self._keep(key, SUFFIX, packed or pickle.dumps(result, 5))
+        # Of members computed until an interrupt too.
+        self._keep(key, SUFFIX, packed or pickle.dumps(result, 5), safe_point=False)
 
     def keep_plain(self, key: str, values: tuple) -> None:
         """Keep plain values, as `keep`."""
         self._keep(key, PLAIN_SUFFIX, pickle.dumps(values, 5))
 
-    def _keep(self, key: str, suffix: str, body: bytes) -> None:
+    def _keep(self, key: str, suffix: str, body: bytes, safe_point: bool = True) -> None:
         try:
-            write_whole(self._path(key, suffix), _stamp(key, body) + b"\n" + body)
+            write_whole(self._path(key, suffix), _stamp(key, body) + b"\n" + body, safe_point)
         except BendTorsionError:
             return
 
@@ -130,14 +132,19 @@ class _Reader(pickle.Unpickler):
     """Makes dataclasses and named tuples of the core and numpy arrays, and nothing else."""
 
     def find_class(self, module: str, name: str):
-        if (module, name) in _ARRAYS:
-            return getattr(importlib.import_module(module), name)
-        if module.startswith(_OWN) and "." not in name:
-            found = getattr(importlib.import_module(module), name, None)
-            own = isinstance(found, type) and found.__module__ == module
-            if own and (is_dataclass(found) or hasattr(found, "_fields")):
-                return found
-        raise pickle.UnpicklingError(f"{module}.{name} has no place in a result")
+        return _class_of(module, name)
+
+
+@functools.cache
+def _class_of(module: str, name: str):
+    if (module, name) in _ARRAYS:
+        return array_of if name == ARRAY else getattr(importlib.import_module(module), name)
+    if module.startswith(_OWN) and "." not in name:
+        found = getattr(importlib.import_module(module), name, None)
+        own = isinstance(found, type) and found.__module__ == module
+        if own and (is_dataclass(found) or hasattr(found, "_fields")):
+            return found
+    raise pickle.UnpicklingError(f"{module}.{name} has no place in a result")
 
 
 def _stamp(key: str, body: bytes) -> bytes:

@@ -21,7 +21,7 @@ from .forming_tables import forming_tables
 from .node_tables import node_tables
 from .pattern_tables import EDGES, GROSS, edge_rows, gross_cells
 from .piece_table import piece_table
-from .report import all_findings, dxf_name, findings_of, nc1_name, sheet_name
+from .report import all_findings, dxf_name, findings_by_member, nc1_name, sheet_name
 from .weld_tables import weld_tables
 from .whole_file import write_whole
 from .xlsx_file import (
@@ -190,6 +190,7 @@ def member_rows(record: MemberRecord, site: SiteDatum = AT_ORIGIN) -> dict[str, 
 
 
 def _summary(records: Sequence[MemberRecord], known: Sequence[Finding]) -> Iterator[tuple]:
+    told = findings_by_member(records, known)
     for record in records:
         yield (
             record.member,
@@ -203,7 +204,7 @@ def _summary(records: Sequence[MemberRecord], known: Sequence[Finding]) -> Itera
             degrees(record.torsion_error_max),
             degrees(record.total_torsion),
             largest(plate.length_error_max for plate in record.plates),
-            *_counts(findings_of(record, known)),
+            *_counts(told[record.member]),
             *_place(record.centre_of_gravity),
             record.painted_area,
         )

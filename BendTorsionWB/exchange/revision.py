@@ -204,26 +204,33 @@ def _cut_finding(change: PlateChange) -> Finding:
     # A thickness, an opening or the end of a plate is no distance of outlines.
     far = change.deviation is not None and change.deviation > SAME
     figures = {"value": float(change.deviation), "limit": SAME, "unit": "mm"} if far else {}
-    if agreed:
-        return warning(
-            "cut-plate-changes",
-            change.mark,
-            f"is cut already and would be {change.what}: {change.verdict}",
-            "tell the shop",
-            **figures,
+    changes = f"is cut already and would be {change.what}: {change.verdict}"
+    untrimmed = f"has the status trim, but cannot be trimmed: {change.verdict}"
+    if far:
+        # What comes off at one side alone is twice what the outlines are apart.
+        off = f"{change.deviation:.2f}"
+        changes = (
+            f"is cut already and would be {change.what}, {off} mm off where it lies best on the "
+            f"new one: {change.verdict}"
         )
+        untrimmed = (
+            f"has the status trim, but cannot be trimmed, {off} mm off where it lies best on the "
+            f"new one: {change.verdict}"
+        )
+    if agreed:
+        return warning("cut-plate-changes", change.mark, changes, "tell the shop", **figures)
     if change.status == "trim":
         return error(
             "cut-plate-no-trim",
             change.mark,
-            f"has the status trim, but cannot be trimmed: {change.verdict}",
+            untrimmed,
             "leave the plate as issued, or give it the status scrap when that is agreed to",
             **figures,
         )
     return error(
         "cut-plate-changes",
         change.mark,
-        f"is cut already and would be {change.what}: {change.verdict}",
+        changes,
         f"leave the plate as issued, or give it the status {'scrap' if scrap else 'trim'} when "
         "that is agreed to",
         **figures,

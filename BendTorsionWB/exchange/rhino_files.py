@@ -100,7 +100,8 @@ def _read(path: Path):
             "rhino3dm-missing",
             path,
             "Rhino files need the Python package rhino3dm",
-            "install it (pip install rhino3dm), or export STEP from Rhino",
+            "install it (pip install rhino3dm, on Debian in a virtual environment), or export STEP "
+            "from Rhino",
         ) from None
     if not path.is_file():
         mend = "write its path relative to the schedule"

@@ -10,7 +10,7 @@ from pathlib import Path
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.part_tables import PART_COLUMNS, material_text
 from BendTorsionWB.core.welds.preps import prep_text
-from BendTorsionWB.exchange.kept_rows import unused_rows
+from BendTorsionWB.exchange.kept_rows import kept_rows
 from BendTorsionWB.exchange.schedule_cells import Joints
 from BendTorsionWB.exchange.schedule_checks import check
 from BendTorsionWB.exchange.schedule_columns import SHEETS
@@ -93,7 +93,7 @@ def _schedule(records: dict[str, list[Record] | None], values: dict) -> Schedule
         statuses=tuple(
             StatusRow(row.place, row["plate"], row["status"]) for row in records["Status"] or []
         ),
-        kept=unused_rows(records, settings.default_material),
+        kept=kept_rows(records, vars(settings)),
     )
 
 

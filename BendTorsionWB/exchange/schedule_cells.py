@@ -108,16 +108,22 @@ def _with_decimal_point(text: str) -> str:
     """A number with commas in it, its decimal mark a point; refused where a comma may as well be
     between thousands."""
     if _GROUPS.fullmatch(text):
-        whole, decimal = text.replace(",", ""), text.replace(",", ".", 1)
-        mend = f"write {whole}" + (f" or {decimal}" if text.count(",") == 1 else "")
         message = "the comma may be a decimal mark or part thousands"
-        raise BadCell("not-a-number", message, mend)
+        raise BadCell("not-a-number", message, two_ways(text))
     if "." not in text:
         return text.replace(",", ".", 1)
     marks = (",", ".") if text.rindex(",") < text.rindex(".") else (".", ",")
     if not re.fullmatch(rf"[+-]?\d{{1,3}}([{marks[0]}]\d{{3}})+[{marks[1]}]\d*", text):
         return text
     return text.replace(marks[0], "").replace(marks[1], ".")
+
+
+def two_ways(numeral: str) -> str:
+    """The mend of a number whose marks can mean two things: how to write it in every country."""
+    whole, decimal = re.sub("[.,]", "", numeral), re.sub("[.,]", ",", numeral)
+    if decimal.count(",") > 1:
+        return f"write {whole}, or a number cell instead of text"
+    return f"write {decimal}0 or {whole}, or a number cell instead of text"
 
 
 def _finite(value) -> float:

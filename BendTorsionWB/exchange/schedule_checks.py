@@ -283,7 +283,11 @@ def _segments(name, segments, axes, faults):
     for wanted, record in enumerate(segments, 1):
         number = record["segment"]
         if number in seen and number is not None:
-            message = f"segment {number} of {name} is already in row {seen[number].place.row}"
+            first, again = seen[number].place.row, record.place.row
+            message = (
+                f"segment {number} of {name} is already in row {first}: two members share the "
+                f"name, or the segment is given twice, in rows {first} and {again}"
+            )
             mend = "number them 1, 2, 3 in order"
             if number == 1:
                 mend += ", or give a second member another name"

@@ -26,6 +26,7 @@ from BendTorsionWB.core.patterns.gross import (
 from BendTorsionWB.core.patterns.laid_flat import MARKING_FACES
 from BendTorsionWB.core.patterns.pattern import MODES
 from BendTorsionWB.core.site import UNITS
+from BendTorsionWB.core.tolerances import NEAREST_STATIONS
 from BendTorsionWB.core.welds import preps
 from BendTorsionWB.core.welds.bevels import CONTOURS
 from BendTorsionWB.exchange import part_cells
@@ -302,13 +303,24 @@ def _with_default(column: Column, default: object) -> Column:
     return replace(column, default=default)
 
 
+_OF_NUMBERS = (
+    *(along, corners, cut, end_cut, joints, lanes, parameters, thicknesses),
+    *(part_cells.place, part_cells.place_or_end),
+)
+
+
+def reads_numbers(column: Column) -> bool:
+    """Whether the cells of a column or setting are numbers, or hold some."""
+    return isinstance(column.parse, Number) or column.parse in _OF_NUMBERS
+
+
 SETTINGS = {
     setting.name: setting
     for setting in (
         *map(_with_default, PATTERN_COLUMNS, PATTERN_DEFAULTS),
         Column("project", text, default=""),
         Column("author", text, default=""),
-        Column("station_spacing", SIZE, default=500.0),
+        Column("station_spacing", Number(least=NEAREST_STATIONS), default=500.0),
         Column("default_slope", Number("", least=0.0), default=2.5),
         Column("transition_length", Choice(("face", "total")), default="face"),
         Column("axis_tolerance", SIZE, default=0.005),

@@ -37,6 +37,8 @@ SHEET_ALIASES = {
     "状态": "Status",
 }
 
+_BY_LOWER = {sheet.lower(): sheet for sheet in SHEET_ALIASES.values()}
+
 # One list for all sheets: where an alias stands for several columns the sheet decides.
 COLUMN_ALIASES = {
     "键": ("key",),
@@ -171,17 +173,22 @@ COLUMN_ALIASES = {
 
 
 def sheet_name(title: str) -> str:
-    """The sheet a title stands for; the title itself when it has no other name."""
-    return SHEET_ALIASES.get(_plain(title), title)
+    """The sheet a title stands for, whatever its case; the title itself when it has no other
+    name."""
+    plain = _plain(title)
+    return SHEET_ALIASES.get(plain) or _BY_LOWER.get(plain, title)
 
 
 def heading_name(value, columns: Iterable[str]) -> str:
-    """The column a heading stands for on a sheet of these columns; the heading itself otherwise.
-    What follows in brackets, such as a unit, is left out of a Chinese heading."""
+    """The column a heading stands for on a sheet of these columns, whatever its case; the heading
+    itself otherwise. What follows in brackets, such as a unit, is left out of a Chinese heading."""
     written = str(value).strip()
     known = tuple(columns)
     if written in known:
         return written
+    alike = [name for name in known if name.lower() == _plain(written)]
+    if alike:
+        return alike[0]
     alias = _plain(written.split("(")[0].split("（")[0])
     return next((name for name in COLUMN_ALIASES.get(alias, ()) if name in known), written)
 

@@ -300,7 +300,7 @@ def located(schedule: Schedule, row: MemberRow, finding: Finding) -> Finding:
         number = int(segment.group(1)) if segment else 1
         source = row.segments[min(number, len(row.segments)) - 1]
         column = COLUMN_OF_CODE.get(finding.code, "")
-    place = "" if segment or part else finding.position
+    place = "" if segment or part else finding.position.removeprefix("at ")
     message = f"{finding.object}: {finding.message}" + (f" at {place}" if place else "")
     return source.error(
         column,

@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 import datetime
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from openpyxl.utils import get_column_letter
 
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error
-from BendTorsionWB.exchange.csv_folder import read_folder
+from BendTorsionWB.exchange.csv_folder import parted_folder
+from BendTorsionWB.exchange.decimal_marks import DecimalMarks, decimal_marks, holds_numbers
 from BendTorsionWB.exchange.output_folder import MANIFEST
 from BendTorsionWB.exchange.schedule_cells import BadCell, Percent, did_you_mean
 from BendTorsionWB.exchange.schedule_columns import OPTIONAL_SHEETS, SHEETS
@@ -106,6 +107,19 @@ def parse_cell(place: Place, column, raw) -> tuple[object, Finding | None]:
         return None, place.error(column.name, bad.code, bad.message, bad.mend, **fields)
 
 
+def _parse_marked(place: Place, column, raw, key, marks: DecimalMarks):
+    """A cell as `parse_cell` reads it, its numbers with the decimal mark that the file shows."""
+    if isinstance(raw, str) and holds_numbers(place.sheet, column, key):
+        try:
+            raw, written = marks.plain(raw), raw
+        except BadCell as bad:
+            fields = {"value": shown(raw)}
+            return None, place.error(column.name, bad.code, bad.message, bad.mend, **fields)
+        value, fault = parse_cell(place, column, raw)
+        return value, replace(fault, value=shown(written)) if fault else None
+    return parse_cell(place, column, raw)
+
+
 def read_records(path) -> tuple[dict[str, list[Record] | None], list[tuple[Place, Finding]]]:
     """Every known sheet's rows, and the faults with their places.
 
@@ -114,7 +128,11 @@ def read_records(path) -> tuple[dict[str, list[Record] | None], list[tuple[Place
     """
     path = Path(path)
     _refuse_kind(path)
-    workbook, hollow, broken = (read_folder(path), {}, []) if path.is_dir() else open_workbook(path)
+    hollow, broken, separators = {}, [], {}
+    if path.is_dir():
+        workbook, separators = parted_folder(path)
+    else:
+        workbook, hollow, broken = open_workbook(path)
     if broken:
         raise BendTorsionError(
             Place(path.name, cell.sheet, cell.row).error(
@@ -130,8 +148,11 @@ def read_records(path) -> tuple[dict[str, list[Record] | None], list[tuple[Place
         known = sheet_name(sheet.title)
         if known != sheet.title and known not in workbook.sheetnames:
             hollow[known] = hollow.pop(sheet.title, {})
+            # openpyxl would number a name that differs from the present one in its case alone.
+            sheet.title = "-"
             sheet.title = known
     _refuse_written(path, workbook.sheetnames)
+    marks = decimal_marks(workbook, separators)
     faults: list[tuple[Place, Finding]] = []
     present = [sheet.title for sheet in workbook.worksheets]
     renamed = set()
@@ -150,7 +171,7 @@ def read_records(path) -> tuple[dict[str, list[Record] | None], list[tuple[Place
         records[title] = [] if title in OPTIONAL_SHEETS and title not in renamed else None
         if title in present:
             holes = hollow.get(title, {})
-            records[title] = _read_sheet(workbook[title], place, columns, holes, faults)
+            records[title] = _read_sheet(workbook[title], place, columns, holes, marks, faults)
         elif title not in OPTIONAL_SHEETS and title not in renamed:
             names = ", ".join(column.name for column in columns if column.required)
             mend = f"add sheet {title} with at least the columns {names}"
@@ -210,7 +231,7 @@ def _refuse_written(path: Path, names: list[str]) -> None:
             )
 
 
-def _read_sheet(sheet, place, columns, hollow, faults) -> list[Record] | None:
+def _read_sheet(sheet, place, columns, hollow, marks, faults) -> list[Record] | None:
     span = sheet.max_row * sheet.max_column
     if span > MOST_CELLS:
         mend = "delete the empty, formatted rows and columns beyond the table"
@@ -249,7 +270,7 @@ def _read_sheet(sheet, place, columns, hollow, faults) -> list[Record] | None:
                     fields = {"value": shown(raw[index])}
                     fault = here.error(letter, "column-unnamed", message, mend, **fields)
                     faults.append((here, fault))
-        records.append(_read_row(cells, here, by_index, raw, hollow, faults))
+        records.append(_read_row(cells, here, by_index, raw, hollow, marks, faults))
     if not complete:
         return None
     # Points has no rows where every axis comes from a file.
@@ -298,8 +319,9 @@ def _read_heading(cells, place, columns, faults):
     return by_index, not missing
 
 
-def _read_row(cells, place, by_index, raw, hollow, faults) -> Record:
+def _read_row(cells, place, by_index, raw, hollow, marks, faults) -> Record:
     values, given, bad = {}, {}, set()
+    key = next((raw[index] for index, column in by_index.items() if column.name == "key"), None)
     for cell in cells:
         column = by_index.get(cell.column)
         if column is None:
@@ -319,7 +341,7 @@ def _read_row(cells, place, by_index, raw, hollow, faults) -> Record:
             message, fields = "the cell holds an error", {"value": cell.value}
             fault = place.error(column.name, "cell-error", message, mend, **fields)
         if fault is None:
-            values[column.name], fault = parse_cell(place, column, raw[cell.column])
+            values[column.name], fault = _parse_marked(place, column, raw[cell.column], key, marks)
         if fault is not None:
             values[column.name] = None
             bad.add(column.name)

@@ -7,14 +7,18 @@ import errno
 import os
 import re
 import shutil
+import stat
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from ..core.finding import BendTorsionError, Finding, error
+from ..interrupts import stop_if_asked
+from .issued_folder import is_issued
 
 LONGEST_STEM = 40
+ANY_WRITE = stat.S_IWUSR | stat.S_IWGRP | stat.S_IWOTH
 _TRIED = 1_000_000
 """Bytes written to learn what stops a file."""
 _PART = re.compile(r"\..*\.[0-9]+\.part(\..*)?", re.DOTALL)
@@ -33,24 +37,55 @@ _MENDS = {
 
 
 @contextmanager
-def whole_file(path: str | os.PathLike) -> Iterator[Path]:
+def whole_file(path: str | os.PathLike, safe_point: bool = True) -> Iterator[Path]:
     """Yield the path of a temporary file that becomes `path` when the block ends well.
 
     The temporary file lies in the same folder (made when missing) and keeps the suffix, because
-    several writers choose the format by it. When the block fails it is removed, and a file that
-    was at `path` before stays as it was. An OSError within the block becomes a BendTorsionError
-    with one finding that names the path and the mend.
+    several writers choose the format by it. When the block fails, or the program was told to
+    stop, it is removed, and a file that was at `path` before stays as it was; so does one that is
+    read-only. An OSError within the block becomes a BendTorsionError with one finding that names
+    the path and the mend. safe_point: False for what was whole before the program was told to stop.
     """
     path = Path(path)
     part = part_beside(path)
+    _refuse_read_only(path)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         yield part
+        if safe_point:
+            stop_if_asked()
         os.replace(part, path)
     except OSError as failure:
         raise BendTorsionError(not_written(path, failure)) from failure
     finally:
         _remove(part)
+
+
+def _refuse_read_only(path: Path) -> None:
+    """Raises BendTorsionError for a file nobody may write: moving another into its place asks the
+    folder only, and on Windows fails once all is made."""
+    try:
+        mode = path.stat().st_mode
+    except OSError:
+        return
+    if stat.S_ISREG(mode) and not mode & ANY_WRITE:
+        if is_issued(path):
+            raise BendTorsionError(
+                error(
+                    "file-not-written",
+                    str(path),
+                    "cannot be written: the file is issued",
+                    "choose a place outside the folder of issues",
+                )
+            )
+        raise BendTorsionError(
+            error(
+                "file-not-written",
+                str(path),
+                "cannot be written: the file is read-only",
+                "choose another name, or allow writing to the file",
+            )
+        )
 
 
 def part_beside(path: Path) -> Path:
@@ -63,7 +98,8 @@ def remove_parts(folder: Path) -> None:
     """Remove from a folder what a process that was killed left unfinished. For folders that no
     other process is writing into."""
     try:
-        left = [path for path in folder.iterdir() if _PART.fullmatch(path.name)]
+        # Folders hold thousands of files.
+        left = [folder / name for name in os.listdir(folder) if _PART.fullmatch(name)]
     except OSError:
         return
     for path in left:
@@ -73,9 +109,9 @@ def remove_parts(folder: Path) -> None:
             _remove(path)
 
 
-def write_whole(path: str | os.PathLike, content: bytes) -> None:
-    """Write `content` to `path`, whole or not at all. Raises BendTorsionError."""
-    with whole_file(path) as part:
+def write_whole(path: str | os.PathLike, content: bytes, safe_point: bool = True) -> None:
+    """Write `content` to `path`, whole or not at all, as `whole_file`. Raises BendTorsionError."""
+    with whole_file(path, safe_point) as part:
         part.write_bytes(content)
 
 
@@ -87,6 +123,15 @@ def write_changed(path: str | os.PathLike, content: bytes) -> None:
     except OSError:
         pass
     write_whole(path, content)
+
+
+def write_or_remove(path: Path, content: bytes) -> None:
+    """As write_changed, for what can be had again: where it cannot be written, what was there goes,
+    since it is of a state before."""
+    try:
+        write_changed(path, content)
+    except BendTorsionError:
+        _remove(path)
 
 
 def not_written(path: Path, failure: OSError) -> Finding:
@@ -127,9 +172,9 @@ def _told_by_system(path: Path) -> OSError | None:
     return None
 
 
-def _remove(part: Path) -> None:
+def _remove(path: Path) -> None:
     # When the folder itself is unreachable there is nothing to remove, and the cause is on its way.
     try:
-        part.unlink(missing_ok=True)
+        path.unlink(missing_ok=True)
     except OSError:
         return

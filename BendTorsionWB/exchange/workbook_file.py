@@ -43,6 +43,9 @@ _DAMAGED = (
 )
 _OLE_MAGIC = bytes.fromhex("D0CF11E0A1B11AE1")
 _SAVE_AS_XLSX = "save it as an Excel workbook (.xlsx) in a spreadsheet program"
+_SHEET = re.compile(r"/?xl/worksheets/[^/]+\.xml")
+_ROW = b'<row r="'
+_EMPTY_ROW = re.compile(rb'<row r="[0-9]+"[^<>]*(?:/>|>\s*(?:<c [^<>]*(?:/>|>\s*</c>)\s*)*</row>)')
 _MAIN = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
 _RELATION = "{http://schemas.openxmlformats.org/officeDocument/2006/relationships}id"
 
@@ -99,7 +102,7 @@ def open_workbook(path: Path) -> tuple[openpyxl.Workbook, dict, list[NoNumber]]:
             unpacked = sum(item.file_size for item in archive.infolist())
             if unpacked > LARGEST_UNPACKED:
                 fields = {"value": unpacked, "limit": int(LARGEST_UNPACKED), "unit": "bytes"}
-                mend = "split the schedule into several files"
+                mend = "delete pictures, and empty formatted rows below the tables"
                 raise refuse("file-too-large", "the workbook unpacks to too much", mend, **fields)
             if any(item.flag_bits & 1 for item in archive.infolist()):
                 mend = "save it without a password"
@@ -110,6 +113,8 @@ def open_workbook(path: Path) -> tuple[openpyxl.Workbook, dict, list[NoNumber]]:
             if "xl/workbook.xml" not in archive.namelist():
                 message = "not an Excel workbook (.xlsx)"
                 raise refuse("not-xlsx", message, _SAVE_AS_XLSX)
+            content = _without_empty_rows(archive)
+        with zipfile.ZipFile(io.BytesIO(content)) as archive:
             hollow, broken = _scan_cells(archive)
             if broken:
                 return openpyxl.Workbook(), hollow, broken
@@ -120,6 +125,20 @@ def open_workbook(path: Path) -> tuple[openpyxl.Workbook, dict, list[NoNumber]]:
         message = f"the workbook is damaged ({type(reason).__name__})"
         raise refuse("file-unreadable", message, f"open it and {_SAVE_AS_XLSX}") from None
     return workbook, hollow, []
+
+
+def _without_empty_rows(archive: zipfile.ZipFile) -> bytes:
+    """The archive, not packed, without rows of sheets that hold nothing but formats: of those there
+    may be a million, and each takes its time."""
+    made = io.BytesIO()
+    with zipfile.ZipFile(made, "w") as plain:
+        for item in archive.infolist():
+            content = archive.read(item)
+            # Rows and cells without a number stand after the one before.
+            if _SHEET.fullmatch(item.filename) and content.count(b"<row") == content.count(_ROW):
+                content = _EMPTY_ROW.sub(b"", content)
+            plain.writestr(item.filename, content)
+    return made.getvalue()
 
 
 def _has_entities(archive: zipfile.ZipFile, item: zipfile.ZipInfo) -> bool:

@@ -12,6 +12,8 @@ import zlib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 LEVEL = 3
 """Of compression: tables shrink hardly more with higher ones, which take twice the time."""
 _END = b"\x03\x00"
@@ -42,11 +44,13 @@ def packed(text: str) -> Packed:
 def zip_bytes(files: Iterable[tuple[str, Sequence[Packed]]]) -> bytes:
     """The archive of files by name, each of its parts. Raises OverflowError beyond 4 GB."""
     body, directory, place = [], [], 0
+    files = list(files)
+    powers = iter(_powers([part.size for _, parts in files for part in parts]))
     for name, parts in files:
         title = name.encode("ascii")
         crc, size = 0, 0
         for part in parts:
-            crc, size = combined(crc, part.crc, part.size), size + part.size
+            crc, size = _product(next(powers), crc) ^ part.crc, size + part.size
         content = [*(part.content for part in parts), _END]
         length = sum(map(len, content))
         if max(size, place + length) > _LARGEST:
@@ -66,13 +70,30 @@ def zip_bytes(files: Iterable[tuple[str, Sequence[Packed]]]) -> bytes:
 def combined(first: int, second: int, size: int) -> int:
     """CRC-32 of two texts in a row from those of each and the size of the second: the first is
     multiplied by x to the power of the bits that follow, modulo the polynomial."""
-    power, factor = 0x80000000, 0x00800000  # 1, and x to the 8th, lowest power first
-    while size:
-        if size & 1:
-            power = _product(power, factor)
+    return _product(_powers([size])[0], first) ^ second
+
+
+def _powers(sizes: Sequence[int]) -> list[int]:
+    """x to the power of the bits of so many bytes each, modulo the polynomial; of all at once, as
+    a workbook has thousands of parts."""
+    left = np.array(sizes, np.int64)
+    # 1, and x to the 8th, lowest power first.
+    powers, factor = np.full(len(left), 0x80000000, np.int64), 0x00800000
+    while left.any():
+        powers = np.where(left & 1, _products(powers, factor), powers)
         factor = _product(factor, factor)
-        size >>= 1
-    return _product(power, first) ^ second
+        left >>= 1
+    return powers.tolist()
+
+
+def _products(a: np.ndarray, b: int) -> np.ndarray:
+    """`_product` of each of `a` with b."""
+    total, bit = np.zeros_like(a), 0x80000000
+    while bit:
+        total ^= np.where(a & bit, b, 0)
+        b = (b >> 1) ^ _POLYNOMIAL if b & 1 else b >> 1
+        bit >>= 1
+    return total
 
 
 def _product(a: int, b: int) -> int:

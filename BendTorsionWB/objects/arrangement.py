@@ -11,7 +11,7 @@ from BendTorsionWB.core.drawings.sheet_layout import member_sheets
 from BendTorsionWB.core.drawings.sheet_style import PLAIN_STYLE, SheetStyle
 from BendTorsionWB.core.finding import error
 from BendTorsionWB.core.lofting import MemberRecord
-from BendTorsionWB.objects.proxy import Property, Proxy, findings_of
+from BendTorsionWB.objects.proxy import Property, Proxy, bare_finding, findings_of, is_bare
 from BendTorsionWB.objects.sheet import keep_pages
 from BendTorsionWB.objects.sheet_content import faulty, kept_record, style_of
 
@@ -46,9 +46,11 @@ class ArrangementSet(Proxy):
 
     def build(self, obj):
         """The pages as they are now; in error when one of the members is, which they tell."""
-        keep_pages(obj)
-        told = (finding for one in _sheet_sets(obj) for finding in findings_of(one))
-        return tuple(dict.fromkeys(found for found in told if found.severity == "error"))
+        sets = _sheet_sets(obj)
+        told = [bare_finding(one) for one in sets if is_bare(one)]
+        told += [found for one in sets for found in findings_of(one) if found.severity == "error"]
+        keep_pages(obj, told)
+        return tuple(dict.fromkeys(told))
 
     def clear(self, obj):
         """Nothing: pages are as new as their members, and tell which of them are in error."""

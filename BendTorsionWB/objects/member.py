@@ -273,9 +273,26 @@ def cut_of(obj, k: int, axis: Axis) -> tuple[float, bool]:
         return cut_place(axis, crossing=other, offset=offset), False
     if by == "point":
         point = np.array(tuple(getattr(obj, f"CutPoint{k}")))
-        return cut_place(axis, point=point, offset=offset), False
+        return cut_place(axis, point=point, offset=offset, reach=reach(obj)), False
     # Cuts beyond the axis are left to the section law, which names the segment.
     ratio = getattr(obj, f"CutRatio{k}")
     if not ratio:
         return getattr(obj, f"Cut{k}").Value + offset, False
     return (ratio * axis.length + offset, False) if offset else (ratio, True)
+
+
+def reach(obj) -> float:
+    """How far from its axis a Member may reach, mm: the circle about its sections, wherever they
+    are held, and their offsets. Sections in error count as none."""
+    farthest = before = 0.0
+    for k in range(1, obj.Segments + 1):
+        try:
+            section = section_object.value(linked(obj, f"Section{k}", "SectionSpec"))
+        except BendTorsionError:
+            continue
+        offset = math.hypot(getattr(obj, f"OffsetY{k}").Value, getattr(obj, f"OffsetZ{k}").Value)
+        own = math.hypot(section.h, section.b) + offset
+        # One that is held to the segment before starts from where that may be.
+        before = own if getattr(obj, f"AlignTo{k}") == "axis" else own + before
+        farthest = max(farthest, before)
+    return farthest + math.hypot(obj.OffsetY.Value, obj.OffsetZ.Value)

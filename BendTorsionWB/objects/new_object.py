@@ -13,6 +13,9 @@ from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.objects.given import Given, judged
 from BendTorsionWB.objects.proxy import Property, add_property
 
+UNSEEN = "(new)"
+"""The label of an object that has no view yet."""
+
 
 def scripted(function: Callable) -> Callable:
     """A function for scripts whose first argument is a document: arguments it does not have, lacks
@@ -71,8 +74,10 @@ def new_object(
     further = tuple(further)
     values = judged(document, label, (*proxy.PROPERTIES, *further), given)
     obj = document.addObject(kind, proxy.TYPE)
+    # FreeCAD 1.1 keeps a label an object has before its view for itself when this is undone, and
+    # the first one is the object's name, which is a label users give.
+    obj.Label = UNSEEN
     proxy(obj)
-    # After its view: FreeCAD 1.1 keeps a label given before that for itself when this is undone.
     obj.Label = label
     for declared in further:
         add_property(obj, declared)

@@ -251,15 +251,15 @@ def places_of(obj, kind, face: str, values):
 def value(obj) -> detailing.MemberPlates:
     """The core plates of a PlateSet; raises BendTorsionError for what cannot be built."""
     geometry = member_object.value(linked(obj, "Member", "Member"))
-    if obj.StationSpacing.Value <= 0:
+    if obj.StationSpacing.Value < tolerances.NEAREST_STATIONS:
         raise BendTorsionError(
             error(
                 "station-spacing",
                 obj.Label,
-                "station spacing must be positive",
-                "use 500 mm",
+                "measuring lines stand too near to each other",
+                "use a StationSpacing such as 500 mm",
                 value=obj.StationSpacing.Value,
-                limit=0.0,
+                limit=tolerances.NEAREST_STATIONS,
                 unit="mm",
             )
         )

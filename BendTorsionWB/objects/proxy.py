@@ -17,12 +17,12 @@ import FreeCAD
 import Part
 
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
+from BendTorsionWB.interrupts import asked
 from BendTorsionWB.objects import schema
 from BendTorsionWB.objects.uncomputed import after_recompute
 
 READ_ONLY = 1
 HIDDEN = 4
-FROM_RESTORE_NO_RECOMPUTE = 8
 OUTPUT = 8
 LARGEST_NUMBER = 1e12
 _UNITS = {
@@ -78,6 +78,9 @@ class Proxy(ABC):
 
     TYPE = ""
     PROPERTIES: tuple[Property, ...] = ()
+    LAID_APART = False
+    """Whether Placement may move it, as what is drawn beside the model. All else is where it is
+    built, and what depends on it too."""
 
     def __init__(self, obj):
         obj.Proxy = self
@@ -117,8 +120,10 @@ class Proxy(ABC):
     def execute(self, obj) -> None:
         """Recompute; never raises."""
         try:
+            _check_asked(obj)
             schema.check(obj)
             check_numbers(obj, self.declared(obj))
+            self._put_back(obj)
             findings = tuple(self.build(obj))
         except BendTorsionError as problem:
             findings = problem.findings
@@ -165,6 +170,12 @@ class Proxy(ABC):
             if hasattr(user, "BT_Type") and user.Label.startswith(f"{former} "):
                 user.Label = obj.Label + user.Label[len(former) :]
 
+    def _put_back(self, obj) -> None:
+        """Undo what moved an object away from what it is built on; its new shape has a place of its
+        own, which may be a Placement as well."""
+        if not self.LAID_APART and "Placement" in obj.PropertiesList:
+            obj.Placement = FreeCAD.Placement()
+
     def dumps(self):
         return None
 
@@ -173,6 +184,14 @@ class Proxy(ABC):
 
     __getstate__ = dumps
     __setstate__ = loads
+
+
+def _check_asked(obj) -> None:
+    """Raises BendTorsionError when the program was told to stop: FreeCAD goes through the objects
+    that are left, and none of them need be computed."""
+    if asked():
+        mend = "build again, or mark it to recompute"
+        raise BendTorsionError(error("stopped", obj.Label, "was not computed: stopped", mend))
 
 
 def add_property(obj, declared: Property) -> None:
@@ -312,10 +331,30 @@ def _a(kind: str) -> str:
 
 def check_linked(target) -> None:
     """Raises BendTorsionError when an object of ours that another one uses is in error, whether the
-    other would need what is wrong or not."""
+    other would need what is wrong or not, or nothing computes it."""
+    if is_bare(target):
+        raise BendTorsionError(bare_finding(target))
     if target.Status.startswith("error") and not _is_waiting(target):
         raise BendTorsionError(f for f in findings_of(target) if f.severity == "error")
     check_numbers(target, target.Proxy.declared(target))
+
+
+def is_bare(obj) -> bool:
+    """Whether an object of ours lost what computes it: FreeCAD keeps its properties and shape, and
+    takes it for computed."""
+    return bool(type_of(obj)) and not hasattr(obj.Proxy, "execute")
+
+
+def bare_finding(obj) -> Finding:
+    """The error of an object that nothing computes."""
+    return error(
+        "object-bare",
+        obj.Label,
+        "does not follow its input: nothing computes it, because the document was saved without "
+        "BendTorsion, or opened by a script that had not imported it",
+        "import BendTorsionWB.make before the document is opened; when it was saved without, run "
+        "Repair document in the window, or 'python3 -m BendTorsionWB repair FILE'",
+    )
 
 
 def _is_waiting(obj) -> bool:

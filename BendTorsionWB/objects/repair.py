@@ -12,7 +12,7 @@ from BendTorsionWB.objects.member import Member
 from BendTorsionWB.objects.node import Node
 from BendTorsionWB.objects.node_sheets import NodeSheets
 from BendTorsionWB.objects.plate_set import PlateSet
-from BendTorsionWB.objects.proxy import Proxy
+from BendTorsionWB.objects.proxy import bare_finding, is_bare, write_findings
 from BendTorsionWB.objects.section_spec import SectionSpec
 from BendTorsionWB.objects.sheet import PageOutlines, PageSymbol, SheetSet
 from BendTorsionWB.objects.surface import Surface
@@ -30,27 +30,22 @@ KINDS = {
 
 def bare_objects(document) -> list:
     """The objects of ours that FreeCAD cannot compute."""
-    return [obj for obj in document.Objects if _is_bare(obj)]
+    return [obj for obj in document.Objects if is_bare(obj)]
 
 
 def refuse_bare(objects) -> None:
     """Raises BendTorsionError for those of some objects that FreeCAD cannot compute."""
-    findings = [
-        error(
-            "object-bare",
-            obj.Label,
-            "does not follow its input: the document was saved without BendTorsion",
-            "run Repair document in the window, or 'python3 -m BendTorsionWB repair FILE'",
-        )
-        for obj in objects
-        if _is_bare(obj)
-    ]
+    findings = [bare_finding(obj) for obj in objects if is_bare(obj)]
     if findings:
         raise BendTorsionError(findings)
 
 
-def _is_bare(obj) -> bool:
-    return bool(getattr(obj, "BT_Type", "")) and not isinstance(obj.Proxy, Proxy)
+def tell_bare(obj) -> None:
+    """Empty an object that FreeCAD took for computed and nothing computes, and put it in error."""
+    if obj.BT_Type in KINDS:
+        object.__new__(KINDS[obj.BT_Type]).clear(obj)
+    if "Findings" in obj.PropertiesList:
+        write_findings(obj, (bare_finding(obj),))
 
 
 def repair(document) -> list:

@@ -49,6 +49,7 @@ class SectionSpec(Proxy):
     """
 
     TYPE = "SectionSpec"
+    LAID_APART = True
     PROPERTIES = (
         Property(
             "App::PropertyEnumeration",

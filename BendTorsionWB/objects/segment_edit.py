@@ -10,7 +10,7 @@ import numpy as np
 from BendTorsionWB.core.axes.axis_places import cut_place
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.objects import axis as axis_object
-from BendTorsionWB.objects.member import cut_of, segment_properties
+from BendTorsionWB.objects.member import cut_of, reach, segment_properties
 from BendTorsionWB.objects.proxy import linked
 
 NAMES = tuple(item.name.removesuffix("1") for item in segment_properties(1))
@@ -27,7 +27,7 @@ def add_cut(
     if isinstance(place, int | float):
         s = float(place)
     else:
-        s = cut_place(axis, point=np.array(tuple(place), float))
+        s = cut_place(axis, point=np.array(tuple(place), float), reach=reach(member))
     if not 0.0 < s < axis.length:
         raise BendTorsionError(
             error(

@@ -22,7 +22,7 @@ from BendTorsionWB.core.drawings.sheet_style import (
 )
 from BendTorsionWB.core.finding import error
 from BendTorsionWB.core.site import UNITS
-from BendTorsionWB.objects.proxy import Property, Proxy
+from BendTorsionWB.objects.proxy import Property, Proxy, bare_finding, is_bare
 from BendTorsionWB.objects.sheet_content import (
     faulty,
     keep_record,
@@ -52,7 +52,9 @@ from BendTorsionWB.sheets.techdraw import (
 
 def sheets_of(sheet_set) -> tuple[Sheet, ...]:
     """The sheets of a SheetSet or an ArrangementSet; one that names the fault when there is nothing
-    to draw."""
+    to draw, or nothing computes the set."""
+    if is_bare(sheet_set):
+        return member_sheets(faulty(sheet_set.Label, (bare_finding(sheet_set),)))
     return sheet_set.Proxy.sheets(sheet_set)
 
 
@@ -132,18 +134,21 @@ class SheetSet(Proxy):
 
     def build(self, obj):
         record = keep_record(obj)
-        keep_pages(obj)
+        keep_pages(obj, record.findings)
         return record.findings
 
     def clear(self, obj):
         """Nothing: in error there is the one page that says so."""
 
 
-def keep_pages(sheet_set) -> None:
-    """As many pages as there are sheets, each of the size and scale of its sheet."""
+def keep_pages(sheet_set, findings) -> None:
+    """As many pages as there are sheets, each of the size and scale of its sheet. findings: of what
+    the sheets show. Where something lost what computes it nobody knows how many there should be,
+    and pages, with what was drawn on them by hand, stay."""
     after_recompute.register()
     sheets = sheets_of(sheet_set)
-    sheet_set.PageCount = len(sheets)
+    unknown = any(finding.code == "object-bare" for finding in findings)
+    sheet_set.PageCount = max(len(sheets), sheet_set.PageCount if unknown else 0)
     pages = _whole_pages(sheet_set)
     for index, sheet in enumerate(sheets):
         if index not in pages:
@@ -220,6 +225,8 @@ def _page_sheet(obj) -> Sheet:
     sheets = sheets_of(obj.Set) if obj.Set is not None else ()
     if 0 <= obj.Index < len(sheets):
         return sheets[obj.Index]
+    if sheets and 0 <= obj.Index < obj.Set.PageCount:
+        return sheets[0]
     if obj.Set is None:
         code, message, mend = "link-missing", "the sheet set was deleted", "delete this page"
     else:
@@ -304,8 +311,10 @@ def _thin_lines(view) -> None:
 
 def _adjust_page(page, label: str, sheet: Sheet) -> None:
     """Label, size and scale of a page, written only when they change."""
-    if page.Label != label:
+    former = page.Label
+    if former != label:
         page.Label = label
+    _label_parts(page, former)
     template = page.Template
     if template is not None and _size_of(template) != (sheet.width, sheet.height):
         template.Template = template_path(sheet)
@@ -318,6 +327,22 @@ def _adjust_page(page, label: str, sheet: Sheet) -> None:
     for view in page.Views:
         if view.isDerivedFrom("TechDraw::DrawViewPart") and abs(view.Scale / scale - 1) > 1e-12:
             view.Scale = scale
+
+
+def _label_parts(page, former: str) -> None:
+    """Labels after their page's for the parts of a page, those that nobody gave another; former:
+    the page's label before."""
+    parts = [] if page.Template is None else [(page.Template, "fields")]
+    for view in page.Views:
+        source = view.Source[:1] if view.isDerivedFrom("TechDraw::DrawViewPart") else ()
+        if getattr(view, "BT_Type", "") == "PageSymbol":
+            parts.append((view, "text"))
+        elif source and getattr(source[0], "BT_Type", "") == "PageOutlines":
+            parts += [(view, "views"), (source[0], "lines")]
+    for part, name in parts:
+        label = f"{page.Label} {name}"
+        if part.Label in (part.Name, f"{former} {name}") and part.Label != label:
+            part.Label = label
 
 
 def _size_of(template) -> tuple[float, float]:

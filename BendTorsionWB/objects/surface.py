@@ -49,7 +49,10 @@ class Surface(Proxy):
 
     def build(self, obj):
         surface = value(obj)
-        obj.Shape = surface_shape.shape(obj.Kind, _sizes(obj), _origin(obj), source_shape(obj))
+        shown = surface_shape.shape(obj.Kind, _sizes(obj), _origin(obj), source_shape(obj))
+        # FreeCAD puts a shape it is given where the object is, whatever place the shape has.
+        obj.Placement = shown.Placement
+        obj.Shape = shown
         return size_findings(surface, obj.Label)
 
 

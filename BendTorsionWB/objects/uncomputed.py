@@ -24,6 +24,15 @@ class AfterRecompute:
             FreeCAD.addDocumentObserver(self)
             self.registered = True
 
+    def slotRecomputedObject(self, obj) -> None:
+        """Put in error what FreeCAD passed over, before what depends on it is computed."""
+        from BendTorsionWB.objects.proxy import is_bare
+
+        if is_bare(obj):
+            from BendTorsionWB.objects.repair import tell_bare
+
+            tell_bare(obj)
+
     def slotRecomputedDocument(self, document) -> None:
         """Put in error what FreeCAD did not compute."""
         left = [obj for obj in document.Objects if not obj.isValid()]
@@ -37,7 +46,8 @@ after_recompute = AfterRecompute()
 def empty_dependants(document, left) -> None:
     """Put in error the objects FreeCAD could not compute, and have those that depend on them see
     it, the nearest first."""
-    from BendTorsionWB.objects.proxy import type_of, write_findings
+    from BendTorsionWB.objects.proxy import is_bare, type_of, write_findings
+    from BendTorsionWB.objects.repair import tell_bare
 
     behind = {user.Name for obj in left for user in obj.InListRecursive}
     names = {obj.Name for obj in left}
@@ -50,7 +60,9 @@ def empty_dependants(document, left) -> None:
             for cause in (obj, *obj.OutList)
             if cause.Name in names and not (cause is not obj and type_of(cause))
         ]
-        if causes:
+        if is_bare(obj):
+            tell_bare(obj)
+        elif causes:
             obj.Proxy.clear(obj)
             write_findings(obj, [_finding(cause) for cause in causes])
         else:

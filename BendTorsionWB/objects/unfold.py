@@ -70,6 +70,7 @@ class Unfold(Proxy):
     """Flat patterns, one face per plate in mark order, laid out in rows in the XY plane."""
 
     TYPE = "Unfold"
+    LAID_APART = True
     PROPERTIES = (
         Property("App::PropertyLink", "Plates", "Unfold", "The plates laid flat"),
         Property(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Axes from the curves of STEP, IGES and BREP files, named ones of STEP files by their name."""
+"""Axes from the curves of STEP, IGES and BREP files, one of several by its name or number."""
 
 from __future__ import annotations
 
@@ -11,8 +11,9 @@ import Part
 
 from ..core.axes.axis_source import AxisSource
 from ..core.finding import BendTorsionError, error
+from .file_parts import told
 from .from_part import curve_from_part
-from .surface_files import shape_from_file
+from .surface_files import pieces_in, shape_from_file
 
 
 def part_axis(path: str | os.PathLike, name: str = "", object: str = "axis") -> AxisSource:
@@ -36,4 +37,24 @@ def part_axis(path: str | os.PathLike, name: str = "", object: str = "axis") -> 
                 value=name or file,
             )
         )
-    return AxisSource(name or Path(path).stem, curve=curve_from_part(Part.Compound(loose), object))
+    try:
+        curve = curve_from_part(Part.Compound(loose), object)
+    except BendTorsionError as problem:
+        whole = shape_from_file(path, "", object) if name else shape
+        curves = [piece for piece in pieces_in(path, whole) if piece.kind == "curve"]
+        if len(curves) < 2 or problem.findings[0].code != "edge-chain":
+            raise
+        file, known = Path(path).name, told(curves)
+        raise BendTorsionError(
+            error(
+                "axis-source-name",
+                object,
+                f"{file}: the file holds several curves"
+                if not name
+                else f"{file}: several curves are called {name!r}",
+                f"name one of them after a #: {known}",
+                value=len(curves),
+                limit=1,
+            )
+        ) from None
+    return AxisSource(name or Path(path).stem, curve=curve)

@@ -27,6 +27,8 @@ _ALONG_BORDER = 1e-6
 # Polylines of wires keep this near to them, mm; and have no more points than this per edge.
 _WIRE_SAG = 0.002
 _MOST_WIRE_POINTS = 2049
+SMALLEST_FACE = 1.0
+"""mm2."""
 
 
 def surface_from_part(shape: Part.Shape, object: str = "surface") -> PatchSurface:
@@ -52,6 +54,9 @@ def patch_from_face(face: Part.Face, object: str = "surface", position: str = ""
         u0, u1, v0, v1 = converted.ParameterRange
         if not all(map(math.isfinite, (u0, u1, v0, v1))) or max(map(abs, (u0, u1, v0, v1))) > 1e99:
             raise ValueError("the face is unbounded")
+        # Open CASCADE 7.8 reads a whole sphere from IGES as a half circle.
+        if not face.Area >= SMALLEST_FACE:
+            raise ValueError(f"its area is {face.Area:.3g} mm2, less than {SMALLEST_FACE:g}")
         wanted = np.array([[u0, u1], [v0, v1]])
         bounds = np.reshape(surface.bounds(), (2, 2))
         extent = np.ptp(bounds, axis=1)[:, None]

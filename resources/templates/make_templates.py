@@ -80,7 +80,9 @@ def rib(document, name: str, surface, sections, place: int):
     segments = [{"align": "top"}, {"cut_ratio": 0.6, "slope": 4.0, "align": "top"}]
     member = make.make_member(document, name, axis, sections, segments[: len(sections)])
     member.setExpression("OffsetZ", "Sizes.camber")
-    plates = make.make_plates(document, member, dict.fromkeys(("top", "bottom"), [0.5]))
+    # Plates no longer than the stock, joints of neighbouring faces apart.
+    joints = {"top": [0.5], "bottom": [0.5], "left": [0.45], "right": [0.45]}
+    plates = make.make_plates(document, member, joints)
     return make.make_unfold(document, plates)
 
 

@@ -14,7 +14,8 @@ from ..geometry.curve import Curve
 from ..geometry.curve_edit import arc_length, turned
 from ..geometry.piecewise import Piecewise, resolve
 from ..geometry.surface import Offset, Surface
-from .axis_check import checked_curve, checked_feet, checked_points, checked_shape, moved_findings
+from .axis_check import checked_curve, checked_points, checked_shape
+from .axis_feet import checked_feet, curve_findings, moved_findings
 from .axis_fit import (
     NO_RULES,
     Fit,
@@ -302,14 +303,19 @@ def fit_uncertainty(
 
 
 def axis_from_curve(
-    name: str, curve: Curve, surface: Surface | None = None, findings: tuple[Finding, ...] = ()
+    name: str,
+    curve: Curve,
+    surface: Surface | None = None,
+    findings: tuple[Finding, ...] = (),
+    fit: str = "pull",
 ) -> Axis:
     """The axis that runs along an exact curve, used as it is.
 
-    Closed when its ends meet without a kink. With a surface, a curve far from it is found out.
-    Raises BendTorsionError for a curve with kinks or that crosses itself.
+    Closed when its ends meet without a kink. Raises BendTorsionError for a curve with kinks or that
+    crosses itself, and for one far from the surface where fit is not `keep`.
     """
-    closed, found = checked_curve(name, curve, surface)
+    closed, found = checked_curve(name, curve)
+    found += curve_findings(name, curve, surface, fit)
     position = arc_length_position(curve, closed)
     ends = position(np.array([0.0, position.end]))
     found += checked_shape(name, position, closed)

@@ -11,17 +11,11 @@ from ..finding import BendTorsionError, Finding, error, note, warning
 from ..geometry.curve import Curve
 from ..geometry.curve_edit import kinks
 from ..geometry.piecewise import Piecewise
-from ..geometry.surface import Surface
 
-UNITS = {"metres": 1000.0, "centimetres": 10.0, "inches": 25.4, "feet": 304.8}
 SMALLEST_AXIS = 200.0
 """mm: an axis that is smaller as a whole is most likely given in another unit."""
 LARGEST_AXIS = 5e6
 """mm: an axis that is larger as a whole is most likely given in another unit."""
-FAR_FROM_SURFACE = 1000.0
-FAR_FROM_SURFACE_RELATIVE = 0.02
-"""A point farther from the surface than the larger of 1 m and 2 % of the axis's size was meant
-for another surface."""
 WIDE_GAP = 20.0
 """A gap this many times the median gap is where points may be missing."""
 CROSSES_ITSELF = 1.0
@@ -130,120 +124,7 @@ def checked_size(name: str, points: np.ndarray) -> list[Finding]:
     ]
 
 
-def checked_feet(
-    name: str,
-    given: np.ndarray,
-    numbers: np.ndarray,
-    surface: Surface | None,
-    fit: str,
-    offset: float,
-) -> list[Finding]:
-    """Findings for points against their surface; raises BendTorsionError when they are so far
-    away (fit pull or offset) that another surface or unit was meant."""
-    if surface is None:
-        return []
-    foot = surface.closest(given)
-    size = float(np.ptp(given, axis=0).max())
-    limit = max(FAR_FROM_SURFACE, FAR_FROM_SURFACE_RELATIVE * size)
-    away = np.minimum(np.abs(foot.distance - offset), np.abs(foot.distance))
-    beyond = np.linalg.norm(given - foot.points, axis=1)
-    away = np.where(foot.outside, np.maximum(away, beyond), away)
-    findings = []
-    worst = int(np.argmax(away))
-    if away[worst] > limit:
-        unit = likely_unit(given, surface)
-        far = error if fit != "keep" else warning
-        finding = far(
-            "axis-far-from-surface",
-            name,
-            "the axis is far from its surface"
-            + (f"; the coordinates are likely in {unit}" if unit else ""),
-            f"give coordinates in mm: multiply by {UNITS[unit]:g}"
-            if unit
-            else "choose the surface the axis lies on, or check the coordinates",
-            position=f"point {numbers[worst]}",
-            value=float(away[worst]),
-            limit=limit,
-            unit="mm",
-        )
-        if finding.severity == "error":
-            raise BendTorsionError(finding)
-        findings.append(finding)
-    for index in np.flatnonzero(foot.outside & (away <= limit)):
-        findings.append(
-            warning(
-                "axis-past-border",
-                name,
-                "given point lies past the border of the surface",
-                "extend the surface or shorten the axis",
-                position=f"point {numbers[index]}",
-                value=float(beyond[index]),
-                unit="mm",
-            )
-        )
-    for index in np.flatnonzero(foot.ambiguous):
-        findings.append(
-            warning(
-                "axis-foot-ambiguous",
-                name,
-                "given point has no single nearest point and normal on the surface",
-                "move the point towards the surface, off its creases",
-                position=f"point {numbers[index]}",
-            )
-        )
-    return findings
-
-
-def moved_findings(
-    name: str, given: np.ndarray, numbers: np.ndarray, moved: np.ndarray, tolerance: float
-) -> list[Finding]:
-    """A warning for every point pulled by more than 1 mm; one note for the others pulled by more
-    than `tolerance`, saying when they were rounded to whole mm."""
-    findings = [
-        warning(
-            "axis-point-moved",
-            name,
-            "given point lies off the surface and was pulled onto it",
-            "check the point, or use fit = keep",
-            position=f"point {numbers[index]}",
-            value=float(moved[index]),
-            limit=tolerances.POINT_MOVED_WARNING,
-            unit="mm",
-        )
-        for index in np.flatnonzero(moved > tolerances.POINT_MOVED_WARNING)
-    ]
-    small = (moved > tolerance) & (moved <= tolerances.POINT_MOVED_WARNING)
-    if small.any():
-        rounded = bool((given == np.round(given)).all())
-        findings.append(
-            note(
-                "axis-points-pulled",
-                name,
-                f"{int(small.sum())} of {len(given)} given points lie off the surface by less "
-                f"than 1 mm and were pulled onto it"
-                + ("; the coordinates are rounded to 1 mm" if rounded else ""),
-                "give more decimals" if rounded else "",
-                value=float(moved[small].max()),
-                limit=tolerance,
-                unit="mm",
-            )
-        )
-    return findings
-
-
-def likely_unit(points: np.ndarray, surface: Surface) -> str | None:
-    """The unit in which the points would lie on the surface, None when in none."""
-    best = None
-    for unit, factor in UNITS.items():
-        scaled = factor * points
-        away = np.linalg.norm(surface.closest(scaled).points - scaled, axis=1).max()
-        size = np.ptp(scaled, axis=0).max()
-        if away < 0.01 * size and (best is None or away / size < best[1]):
-            best = unit, away / size
-    return best[0] if best else None
-
-
-def checked_curve(name: str, curve: Curve, surface: Surface | None) -> tuple[bool, list[Finding]]:
+def checked_curve(name: str, curve: Curve) -> tuple[bool, list[Finding]]:
     """Whether an exact curve closes smoothly, and findings; raises BendTorsionError at kinks."""
     findings, errors = [], []
     at, angle = kinks(curve)
@@ -285,26 +166,7 @@ def checked_curve(name: str, curve: Curve, surface: Surface | None) -> tuple[boo
                     unit="°",
                 )
             )
-    samples = curve.evaluate(np.linspace(first, last, 201))[0]
-    findings += checked_size(name, samples)
-    if surface is not None:
-        distance = np.abs(surface.closest(samples).distance)
-        limit = max(FAR_FROM_SURFACE, FAR_FROM_SURFACE_RELATIVE * np.ptp(samples, axis=0).max())
-        worst = int(np.argmax(distance))
-        far = distance[worst] > limit
-        if distance[worst] > tolerances.POINT_MOVED_WARNING:
-            findings.append(
-                warning(
-                    "axis-far-from-surface",
-                    name,
-                    f"the curve {'is far from' if far else 'leaves'} its surface",
-                    "choose the surface the axis lies on",
-                    position=place(samples[worst]),
-                    value=float(distance[worst]),
-                    limit=float(limit if far else tolerances.POINT_MOVED_WARNING),
-                    unit="mm",
-                )
-            )
+    findings += checked_size(name, curve.evaluate(np.linspace(first, last, 201))[0])
     return closed, findings
 
 

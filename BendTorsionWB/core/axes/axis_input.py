@@ -110,7 +110,7 @@ def axis_from(given: AxisInput, surface: Surface | None) -> Axis:
         ).with_findings(row.findings)
     elif given.curve is not None:
         _check_exact(given)
-        axis = axis_from_curve(given.name, given.curve, surface)
+        axis = axis_from_curve(given.name, given.curve, surface, fit=given.fit)
     else:
         _check_exact(given)
         axis = axis_from_curve(given.name, *curve_by_rule(given.name, given.rule, surface))

@@ -15,7 +15,9 @@ from .axis_check import place
 LONGEST_MISS = 1000.0
 """mm: axes that pass at more than this do not cross."""
 LONGEST_POINT_MISS = 1000.0
-"""mm: a point farther than this from the axis is no place on it."""
+"""mm: a point farther than this from an axis is no place on it, unless a member reaches there."""
+BESIDE_MEMBER = 1.1
+"""How far from the axis a point of a cut may lie, as a part of how far its member reaches."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,13 +72,16 @@ def cut_place(
     point: np.ndarray | None = None,
     crossing: Axis | None = None,
     offset: float = 0.0,
+    reach: float = 0.0,
 ) -> float:
     """Arc length in mm of a cut given by one of: length mm (negative: from the end), ratio 0..1,
     the place nearest to a point (3,), or the place nearest to another axis; plus `offset` mm
-    along the axis.
+    along the axis. reach: how far from the axis the member along it reaches, mm; a point on it is
+    near.
 
-    Raises BendTorsionError when the cut is not on the axis, the point or the other axis is more
-    than 1 m away, or the other axis passes it several times as near.
+    Raises BendTorsionError when the cut is not on the axis, the other axis is more than 1 m away,
+    the point more than 1 m and clear of the member, or the other axis passes it several times as
+    near.
     """
     if sum(value is not None for value in (length, ratio, point, crossing)) != 1:
         raise BendTorsionError(
@@ -92,7 +97,7 @@ def cut_place(
     elif ratio is not None:
         s = ratio * axis.length
     elif point is not None:
-        s = _nearest_place(axis, np.asarray(point, float).reshape(1, 3))
+        s = _nearest_place(axis, np.asarray(point, float).reshape(1, 3), reach)
     else:
         s = _crossing_place(axis, crossing)
     s = float(s + offset)
@@ -113,10 +118,11 @@ def cut_place(
     return min(max(s, 0.0), axis.length)
 
 
-def _nearest_place(axis: Axis, point: np.ndarray) -> float:
+def _nearest_place(axis: Axis, point: np.ndarray, reach: float) -> float:
     s = axis.place_of(point)
     away = float(np.linalg.norm(axis.position(s) - point))
-    if not away <= LONGEST_POINT_MISS:
+    limit = max(LONGEST_POINT_MISS, BESIDE_MEMBER * reach)
+    if not away <= limit:
         raise BendTorsionError(
             error(
                 "cut-point-far",
@@ -125,7 +131,7 @@ def _nearest_place(axis: Axis, point: np.ndarray) -> float:
                 "choose a point near the axis",
                 position=place(point[0]),
                 value=away,
-                limit=LONGEST_POINT_MISS,
+                limit=limit,
                 unit="mm",
             )
         )

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -66,8 +67,15 @@ def axis_source(
     )
 
 
-def found_source(name: str, sources: dict[str, AxisSource], file: str) -> AxisSource:
-    """The source of that name, whatever its case; the only one when the name is empty. Raises
+def found_source(
+    name: str,
+    sources: Mapping[str, AxisSource],
+    file: str,
+    layers: Collection[str] = (),
+    empty: Collection[str] = (),
+) -> AxisSource:
+    """The source of that name, whatever its case; the only one when the name is empty. layers: the
+    names that are told where there are more; empty: layers without a source. Raises
     BendTorsionError naming what there is."""
     if not name and len(sources) == 1:
         return next(iter(sources.values()))
@@ -75,7 +83,7 @@ def found_source(name: str, sources: dict[str, AxisSource], file: str) -> AxisSo
     alike = [source for key, source in sources.items() if key.lower() == name.lower()]
     if exact is not None or len(alike) == 1:
         return exact or alike[0]
-    known = ", ".join(list(sources)[:12]) or "none"
+    known = ", ".join(list(layers or sources)[:12])
     if not name and sources:
         raise BendTorsionError(
             error(
@@ -85,15 +93,13 @@ def found_source(name: str, sources: dict[str, AxisSource], file: str) -> AxisSo
                 f"name one of them after a #: {known}",
             )
         )
-    raise BendTorsionError(
-        error(
-            "axis-source-name",
-            file,
-            f"no curve named {name!r} in the file",
-            f"use {known}",
-            position=name,
-        )
-    )
+    mend = f"use {known}" if known else "name a file that holds the axis"
+    bare = next((layer for layer in empty if layer.lower() == name.lower()), None)
+    if bare is not None:
+        message = f"layer {bare} holds no curves, lines or points"
+        raise BendTorsionError(error("axis-source-empty", file, message, mend, position=name))
+    message = f"no curve named {name!r} in the file"
+    raise BendTorsionError(error("axis-source-name", file, message, mend, position=name))
 
 
 def _leg(start: np.ndarray, end: np.ndarray) -> Curve:

@@ -278,21 +278,3 @@ def diagonal_lengths(
     nearly isometric, so that its excess over the geodesic is of second order in the strain.
     """
     return panel_samples(development, places, folds).diagonal(start_w)
-
-
-def edge_lengths(
-    development: Development, places: np.ndarray, folds: tuple[float, ...], w: float
-) -> tuple[np.ndarray, np.ndarray]:
-    """Flat and curved length (k,) between consecutive places along the line w = constant."""
-    return panel_samples(development, places, folds).edge(w)
-
-
-def geodesic_lengths(
-    development: Development,
-    places: np.ndarray,
-    folds: tuple[float, ...],
-    start_w: float,
-    modes: int = MODES,
-) -> tuple[np.ndarray, np.ndarray]:
-    """As diagonal_lengths, with the preimage relaxed to the geodesic (PanelSamples.geodesics)."""
-    return panel_samples(development, places, folds).geodesics((start_w,), modes)[0]

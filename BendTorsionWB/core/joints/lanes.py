@@ -16,7 +16,8 @@ from .. import tolerances
 from ..finding import BendTorsionError, Finding, error, warning
 from ..geometry.piecewise import Piecewise
 from ..members.member import Member
-from ..members.strips import LEVELS, StripRails, rails_between
+from ..members.mitres import LEVELS
+from ..members.strips import StripRails, rails_between
 from .joint_solver import JointRules
 
 LETTERS = "abcdefghijklmnopqrstuvwxyz"

@@ -16,7 +16,8 @@ import numpy as np
 from ..finding import BendTorsionError, error
 from ..geometry.piecewise import Piecewise, resolve
 from .member import EndSurface
-from .strips import LEVELS, StripRails
+from .mitres import LEVELS
+from .strips import StripRails
 
 CURVE_SIZE = 1000.0
 """End curves are resolved as functions of this size, mm: to about 1e-9 mm."""

@@ -4,8 +4,7 @@
 Thickness is normal to the plate (`strip_lines`). At a fold the insets of the two sides differ, so
 the surfaces off the strip's line meet a little before or behind it, at the mitre; each rail is
 broken at its own mitre. What a strip stops at (the inner face of its neighbour) has its own mitre
-elsewhere; the strip keeps clear of both by a relief that fades out on the constant side within
-RELIEF_LENGTH.
+elsewhere; the strip keeps clear of both by a relief that fades out beside the mitre (`mitres`).
 """
 
 from __future__ import annotations
@@ -21,18 +20,16 @@ from ..axes.frames import FrameStations
 from ..finding import BendTorsionError, error
 from ..geometry.piecewise import Piecewise, span_nodes, unresolved
 from ..memo import Kept, content_hash, made_from
-from ..sections.strip_lines import Sites, crossing, edge_points, left_of, limits, own_lines
+from ..sections.strip_lines import Sites, edge_points
 from .member import Member
+from .mitres import DEPTHS, Mitres, mitres, reliefs_at
 
-RELIEF_LENGTH = 500.0
+TURN_LENGTH = 500.0
+"""mm within which the rulings beside a mitre turn back into section planes."""
 MOST_HALVINGS = 6
 """Of spans that do not hold a rail to tolerances.RAILS_RESOLVED."""
-LEAST_FOLD = 1e-6
-"""Angle, rad, below which a strip is not folded: its mitre would be wherever rounding puts it."""
 _Arrays = TypeVar("_Arrays", FrameStations, Sites)
 _kept = Kept()
-LEVELS = {"outer": 0.0, "mid": 0.5, "inner": 1.0}
-_DEPTHS = np.array([*LEVELS.values()])
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,16 +46,6 @@ class StripRails:
     inner_folds: tuple[float, ...]
 
 
-@dataclass(frozen=True, eq=False)
-class _Mitres:
-    """At each boundary, level, strip and edge (b, 3, k, 2): where the surface is folded, and how
-    far the limit of the cell before and after is moved inwards there."""
-
-    places: np.ndarray
-    relief_before: np.ndarray
-    relief_after: np.ndarray
-
-
 def strip_rails(member: Member, strip: int, start: float, end: float) -> StripRails:
     """The rails of a strip between two section planes without a joint between them."""
     return rails_between(member, [(strip, start, end)])[0]
@@ -70,15 +57,15 @@ def rails_between(
     """The rails of many strips (strip, start, end), as `strip_rails`."""
     law = member.law
     starts = np.array([cell.start for cell in law.cells])
-    mitres = _mitres(member)
+    found = mitres(member)
     rails: dict[int, StripRails] = {}
     new, keys, blocks = [], [], []
     for number, (strip, start, end) in enumerate(spans):
         low = max(0, int(np.searchsorted(starts, start, side="right")) - 1)
         high = int(np.searchsorted(starts, end, side="left")) - 1
         felt = low + np.flatnonzero(law.felt[low:high, strip])
-        ends = _end_reliefs(law, mitres, strip, start, end)
-        key = _content(member, mitres, (strip, start, end), low, high, felt, ends)
+        ends = reliefs_at(law, found, strip, start, 1), reliefs_at(law, found, strip, end, -1)
+        key = _content(member, found, (strip, start, end), low, high, felt, ends)
         known = _kept.recall(key) if key else None
         if known is not None:
             rails[number] = known
@@ -86,12 +73,13 @@ def rails_between(
         new.append(number)
         keys.append(key)
         cells = np.concatenate([[low], felt + 1])
+        # Without a fold or a relief the three surfaces are broken alike.
+        plain = not len(felt) and not any(one.exist for side in ends for one in side)
         levels = [
-            _Block(member, mitres, (felt, level, strip), ends, cells, start, end)
-            for level in range(3 if len(felt) else 1)
+            _Block(member, found, (felt, level, strip), both, cells, start, end)
+            for level, both in enumerate([*zip(*ends, strict=True)][: 1 if plain else 3])
         ]
-        # Without a fold the three surfaces are broken alike.
-        blocks += levels if len(felt) else levels * 3
+        blocks += levels * 3 if plain else levels
     made = _resolved(member, blocks, [spans[number][0] for number in new]) if new else []
     for k, (number, key) in enumerate(zip(new, keys, strict=True)):
         own = slice(3 * k, 3 * k + 3)
@@ -102,16 +90,15 @@ def rails_between(
     return tuple(rails[number] for number in range(len(spans)))
 
 
-def _content(member: Member, mitres: _Mitres, span, low, high, felt, ends) -> str:
+def _content(member: Member, found: Mitres, span, low, high, felt, ends) -> str:
     """Hash of all the rails of a span are made from; empty when it is not known."""
     frames, prints = made_from(member.frames), member.law.prints
     if not frames or prints is None:
         return ""
     strip = span[0]
-    parts = [part[felt, :, strip] for part in vars(mitres).values()]
-    return content_hash(
-        frames, span, *prints[low : high + 1], felt - low, member.law.zone_ends[felt], *parts, *ends
-    )
+    parts = [part[felt, :, strip] for part in vars(found).values()]
+    parts += [one for side in ends for one in side if one.exist]
+    return content_hash(frames, span, *prints[low : high + 1], felt - low, *parts)
 
 
 def _check_order(member: Member, edges: np.ndarray) -> None:
@@ -139,49 +126,51 @@ class _Block:
     """The nodes of one surface of one strip: s (n,), its cell, and per edge the place on the axis
     it is taken at and its relief (n, 2)."""
 
-    def __init__(self, member: Member, mitres: _Mitres, mine, ends, cells, start, end, more=()):
-        self._made_from = member, mitres, mine, ends, cells, start, end
+    def __init__(self, member: Member, found: Mitres, mine, ends, cells, start, end, more=()):
+        self._made_from = member, found, mine, ends, cells, start, end
         starts = [cell.start for cell in member.law.cells]
         self.boundaries = tuple(starts[k + 1] for k in mine[0])
-        places = mitres.places[mine]
-        before, after = mitres.relief_before[mine], mitres.relief_after[mine]
+        places = found.places[mine]
         middles = 0.5 * (places[:, 0] + places[:, 1])
         edges = np.concatenate([[start], middles, [end]])
         _check_order(member, edges)
-        count = len(middles)
-        self.shifted = bool(count) and bool((places != middles[:, None]).any())
+        self.shifted = bool((places != middles[:, None]).any())
+        reach = np.minimum(TURN_LENGTH, 0.45 * np.diff(edges))
         # Reliefs fade through the beginnings and ends of chamfers, which have none.
-        firm = member.law.zone_ends[mine[0]] | (before + after).any(axis=1)
+        firm = found.firm[mine]
         relieved = np.concatenate([[start], middles[firm], [end]])
-        reach, far = (_reach(one) for one in (edges, relieved))
-        fades = [*(relieved[1:-1] + far[1:]), *(relieved[1:-1] - far[:-1])]
-        if self.shifted and not firm.all():
+        behind, ahead = (
+            [part[mine][firm] for part in (found.places, size, length)]
+            for size, length in (
+                (found.relief_after, found.reach_after),
+                (found.relief_before, found.reach_before),
+            )
+        )
+        reliefs = ends[0].joined(*behind), ends[1].joined(*ahead)
+        fades = reliefs[0].ends + reliefs[1].ends
+        if self.shifted:
             fades += [*(edges[1:-1] + reach[1:]), *(edges[1:-1] - reach[:-1])]
-            fades = _apart(fades)
-        fades += [start + far[0]] if ends[0].any() else []
-        fades += [end - far[-1]] if ends[1].any() else []
-        breaks = member.smooth_breaks(edges, [*fades, *more])
+        breaks = member.smooth_breaks(edges, [*_apart(fades), *more])
         nodes = span_nodes(breaks)
-        owner = np.searchsorted(edges, 0.5 * (breaks[1:] + breaks[:-1]), side="right") - 1
         self.edges, self.breaks, self.shape = edges, breaks, nodes.shape
         self.s = nodes.ravel()
-        owner = np.repeat(owner, nodes.shape[1])
+        owner = self._owner(edges)
         self.cell = cells[owner]
         self.place = self.relief = None
-        if not (count or ends[0].any() or ends[1].any()):
-            return
         if self.shifted:
-            nothing = np.zeros((1, 2))
-            shift = places - middles[:, None]
+            nothing, shift = np.zeros((1, 2)), places - middles[:, None]
             self.place = self.s[:, None] + _faded(
                 self.s, owner, edges, reach, [nothing, shift], [shift, nothing]
             )
-        if not firm.all():
-            owner = np.searchsorted(relieved, 0.5 * (breaks[1:] + breaks[:-1]), side="right") - 1
-            owner = np.repeat(owner, nodes.shape[1])
-        self.relief = _faded(
-            self.s, owner, relieved, far, [ends[0], after[firm]], [before[firm], ends[1]]
-        )
+        if any(one.exist for one in reliefs):
+            owner = self._owner(relieved)
+            place = self.s[:, None] if self.place is None else self.place
+            self.relief = reliefs[0].at(owner, place) + reliefs[1].at(owner, place)
+
+    def _owner(self, edges: np.ndarray) -> np.ndarray:
+        """The stretch between edges that each node lies in."""
+        spans = 0.5 * (self.breaks[1:] + self.breaks[:-1])
+        return np.repeat(np.searchsorted(edges, spans, side="right") - 1, self.shape[1])
 
     def with_breaks(self, more: Sequence[float]) -> _Block:
         """The block with nodes between more breaks."""
@@ -195,11 +184,6 @@ def _apart(places: Sequence[float]) -> list[float]:
     return rising[gap > tolerances.STATION_AT_PLATE_END].tolist()
 
 
-def _reach(edges: np.ndarray) -> np.ndarray:
-    """Length over which what a mitre asks for fades out of each stretch between edges."""
-    return np.minimum(RELIEF_LENGTH, 0.45 * np.diff(edges))
-
-
 def _faded(s, owner, edges, reach, at_start, at_end) -> np.ndarray:
     """Values (n, 2) at s (n,) in stretches `owner`: those at the start and the end of each
     stretch, in two parts to be joined, fading out within its reach."""
@@ -207,22 +191,6 @@ def _faded(s, owner, edges, reach, at_start, at_end) -> np.ndarray:
     from_end = (1.0 - (edges[owner + 1] - s) / reach[owner]).clip(0.0) ** 3
     start, end = np.concatenate(at_start)[owner], np.concatenate(at_end)[owner]
     return start * from_start[:, None] + end * from_end[:, None]
-
-
-def _end_reliefs(
-    law, mitres: _Mitres, strip: int, start: float, end: float
-) -> tuple[np.ndarray, np.ndarray]:
-    """Reliefs (1, 2) at the ends of a plate whose joint lies on a fold that its neighbours run
-    through: the plate ends square there, but their mitre does not."""
-    starts = [cell.start for cell in law.cells[1:]]
-    reliefs = [np.zeros((1, 2)), np.zeros((1, 2))]
-    for side, (place, given) in enumerate(
-        ((start, mitres.relief_after), (end, mitres.relief_before))
-    ):
-        others = {int(k) for k in law.table.neighbour[strip]}
-        if place in starts and any(place not in law.joints_of(k) for k in others):
-            reliefs[side] = given[starts.index(place), 0, strip][None]
-    return tuple(reliefs)
 
 
 def _resolved(member: Member, blocks: list[_Block], strips: Sequence[int]) -> list[Piecewise]:
@@ -258,7 +226,7 @@ def _evaluated(member: Member, blocks: Sequence[_Block], strips: Sequence[int]) 
     sizes = [len(block.s) for block in blocks]
     cell = np.concatenate([block.cell for block in blocks])
     strip = np.repeat(np.repeat(strips, 3), sizes)
-    depth = np.repeat(np.tile(_DEPTHS, len(strips)), sizes)
+    depth = np.repeat(np.tile(DEPTHS, len(strips)), sizes)
     s = np.concatenate([block.s for block in blocks])
     at = member.frames.at(s)
     values = np.empty((len(s), 2, 3))
@@ -299,71 +267,3 @@ def _closed(rails: Piecewise, places: np.ndarray) -> Piecewise:
         middle = 0.5 * (values[k - 1, -1] + values[k, 0])
         values[k - 1, -1], values[k, 0] = middle, middle
     return rails
-
-
-def _mitres(member: Member) -> _Mitres:
-    """All mitres of a member: where the edge of a surface before a boundary meets the surface
-    behind it, both continued through the boundary."""
-    law = member.law
-    table, count = law.table, len(law.cells) - 1
-    shape = (count, 3, len(law.strips), 2)
-    if not count:
-        return _Mitres(*(np.zeros(shape) for _ in range(3)))
-    boundary, level, strip, edge = (part.ravel() for part in np.indices(shape))
-    fold = np.array([cell.start for cell in law.cells[1:]])[boundary]
-    depth = _DEPTHS[level]
-
-    def sites(chosen, place) -> tuple[Sites, Sites]:
-        at = member.frames.at(place)
-        return tuple(law.sites(boundary[chosen] + k, place, at.ky, at.kz, at.twist) for k in (0, 1))
-
-    def gap(chosen, place):
-        """How far the edge before has passed the surface behind."""
-        before, after = sites(chosen, place)
-        own, deep = strip[chosen], depth[chosen]
-        point = edge_points(table, before, own, edge[chosen], deep)
-        line = own_lines(table, after, own, deep)
-        return (left_of(line) * (point - line[:, 0])).sum(axis=1)
-
-    place = fold.copy()
-    thickness = np.array([cell.thickness for cell in law.cells])
-    through = thickness[boundary, strip] == thickness[boundary + 1, strip]
-    chosen = np.flatnonzero((depth != table.line[strip]) & np.isin(fold, law.folds) & through)
-    if len(chosen):
-        last = fold[chosen]
-        miss = gap(chosen, last)
-        rate = gap(chosen, last + 1.0) - miss
-        folded = np.abs(rate) >= LEAST_FOLD
-        chosen, last, miss, rate = (part[folded] for part in (chosen, last, miss, rate))
-        for _ in range(12):
-            if not len(chosen) or np.abs(miss / rate).max() < 1e-10:
-                break
-            last = last - miss / rate
-            miss = gap(chosen, last)
-        place[chosen] = last
-
-    def way(chosen):
-        """How much farther out the limit behind is than the one before."""
-        before, after = sites(chosen, place[chosen])
-        own = own_lines(table, after, strip[chosen], depth[chosen])
-        one, _ = limits(table, before, strip[chosen], edge[chosen])
-        two, into = limits(table, after, strip[chosen], edge[chosen])
-        return ((crossing(own, two) - crossing(own, one)) * into).sum(axis=1)
-
-    # The side whose limit is the farther out gives way.
-    everything = np.arange(len(fold))
-    behind = way(everything)
-    before = -behind
-    # A neighbour with a joint on the fold ends there, and not at a mitre of its own.
-    other = table.neighbour[strip, edge]
-    ends = thickness[boundary, other] != thickness[boundary + 1, other]
-    ends = np.flatnonzero(ends & (place != fold))
-    if len(ends):
-        mitred, place[ends] = place[ends], fold[ends]
-        at_fold = way(ends)
-        place[ends] = mitred
-        behind[ends] = np.maximum(behind[ends], at_fold)
-        before[ends] = np.maximum(before[ends], -at_fold)
-    return _Mitres(
-        place.reshape(shape), behind.clip(0.0).reshape(shape), before.clip(0.0).reshape(shape)
-    )

@@ -19,7 +19,6 @@ from .forming_record import FoldBend, FormingClass, FormingRecord, Peak, PullDow
 POISSON = 0.3
 GRAVITY = 9.80665e-3
 """kN per kg."""
-CLASSES = ("flat", "elastic", "cold", "hot")
 _THREE = np.array([0.0, 0.5, 1.0])
 
 

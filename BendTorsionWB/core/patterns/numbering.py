@@ -19,6 +19,7 @@ from scipy.spatial import cKDTree
 from ..lofting import DevelopedPlate, MemberRecord
 from ..members.thickness import Chamfer
 from .gross import as_cut
+from .outline_change import apart
 
 FLAT_EQUAL = 0.1
 """mm: the outlines, holes and marks of equal plates lie this near to each other."""
@@ -76,9 +77,15 @@ def shared_marks(record: MemberRecord) -> tuple[tuple[str, int, str], ...]:
 
 def with_shared(record: MemberRecord, shared: Sequence[tuple[str, int, str]]) -> MemberRecord:
     """The record with these, one per plate."""
+    marked = list(zip(record.plates, shared_marks(record), map(tuple, shared), strict=True))
+    # Most plates of a building have no like, and are told so already.
+    if all(before == after for _, before, after in marked):
+        return record
     plates = tuple(
-        replace(plate, part=part, quantity=quantity, opposite_hand=hand)
-        for plate, (part, quantity, hand) in zip(record.plates, shared, strict=True)
+        plate
+        if before == after
+        else replace(plate, part=after[0], quantity=after[1], opposite_hand=after[2])
+        for plate, before, after in marked
     )
     return replace(record, plates=plates)
 
@@ -135,7 +142,7 @@ def _alike(plates: Sequence[DevelopedPlate]) -> list[list[int]]:
 def _shape_of(plate: DevelopedPlate) -> _Shape:
     middle = 0.5 * np.array([plate.length, plate.width])
     loops = [plate.outline, *(hole.runs for hole in plate.holes)]
-    contours = tuple(_resampled(np.concatenate(runs)) - middle for runs in loops)
+    contours = tuple(np.concatenate(runs) - middle for runs in loops)
     return _Shape(
         contours,
         _formed(plate),
@@ -181,17 +188,6 @@ def _bevels(plate: DevelopedPlate, middle: np.ndarray) -> np.ndarray:
         depths = bevel.outer[1], bevel.inner[1]
         rows.append([*(ends - middle).ravel(), *angles, *depths])
     return np.array(rows).reshape(-1, 9)
-
-
-def _resampled(points: np.ndarray) -> np.ndarray:
-    """A closed polyline at even lengths from its start, dense enough to measure distances to."""
-    closed = np.vstack([points, points[:1]])
-    step = np.sqrt((np.diff(closed, axis=0) ** 2).sum(axis=1))
-    keep = np.concatenate([[True], step > 0.0])
-    closed = closed[keep]
-    along = np.concatenate([[0.0], np.cumsum(step[step > 0.0])])
-    at = np.linspace(0.0, along[-1], 8 * _SAMPLES)
-    return np.column_stack([np.interp(at, along, closed[:, k]) for k in range(2)])
 
 
 def _formed(plate: DevelopedPlate) -> np.ndarray:
@@ -248,11 +244,12 @@ def _same(one: _Shape, other: _Shape, marked_alike: bool = True) -> bool:
     return any(
         own.chamfers == other.chamfers
         and (not marked_alike or _same_marks(own.labels, other.labels))
-        and _near(own.contours[0], other.contours[0])
-        and all(any(_near(a, b) for b in other.contours[1:]) for a in own.contours[1:])
         and _same_bevels(own.bevels, other.bevels)
         and _same_marks(own.marks, other.marks)
         and _congruent(own.formed, other.formed)
+        # Last, for it costs most: of like sizes there are many in a large building.
+        and _near(own.contours[0], other.contours[0])
+        and all(any(_near(a, b) for b in other.contours[1:]) for a in own.contours[1:])
         for own in (one, _turned(one))
     )
 
@@ -281,14 +278,8 @@ def _same_bevels(a: np.ndarray, b: np.ndarray) -> bool:
 
 
 def _near(a: np.ndarray, b: np.ndarray) -> bool:
-    """True when two dense contours lie within FLAT_EQUAL of each other."""
-    reach = FLAT_EQUAL + 0.5 * max(_spacing(a), _spacing(b))
-    far = max(cKDTree(b).query(a)[0].max(), cKDTree(a).query(b)[0].max())
-    return bool(far <= reach)
-
-
-def _spacing(points: np.ndarray) -> float:
-    return float(np.sqrt((np.diff(points, axis=0) ** 2).sum(axis=1)).max())
+    """True when two contours (n, 2) lie within FLAT_EQUAL of each other."""
+    return apart(a, b) <= FLAT_EQUAL
 
 
 def _congruent(one: np.ndarray, other: np.ndarray) -> bool:

@@ -234,16 +234,19 @@ def _dense(outline: np.ndarray, close: bool = False) -> np.ndarray:
     spacing = max(SAMPLE, float(lengths.sum()) / MOST_SAMPLES)
     outline = outline[lengths > 1e-6]
     after = np.roll(outline, -1, axis=0)
-    counts = np.maximum(1, np.ceil(np.linalg.norm(after - outline, axis=1) / spacing)).astype(int)
-    shares = [np.arange(n) / n for n in counts]
+    along = after - outline
+    lengths = np.linalg.norm(along, axis=1)
+    counts = np.maximum(1, np.ceil(lengths / spacing)).astype(int)
+    edge = np.repeat(np.arange(len(outline)), counts)
+    share = (np.arange(len(edge)) - np.repeat(np.cumsum(counts) - counts, counts)) / counts[edge]
     if close:
         # A hair from the vertices, where a side is deepest but its corner belongs to two.
-        lengths = np.linalg.norm(after - outline, axis=1)
-        shares = [
-            np.unique([*share, 0.1 / size, 1.0 - 0.1 / size]) if size > 2.0 * SAMPLE else share
-            for share, size in zip(shares, lengths)
-        ]
-    return np.vstack([a + (b - a) * s[:, None] for a, b, s in zip(outline, after, shares)])
+        (long,) = np.nonzero(lengths > 2.0 * SAMPLE)
+        hair = 0.1 / lengths[long]
+        edge, share = np.concatenate([edge, long, long]), np.concatenate([share, hair, 1.0 - hair])
+        order = np.lexsort([share, edge])
+        edge, share = edge[order], share[order]
+    return outline[edge] + along[edge] * share[:, None]
 
 
 def _corners(outline: np.ndarray) -> np.ndarray:

@@ -215,7 +215,7 @@ def box_findings(
 
 
 def size_findings(name: str, **sizes: float) -> list[Finding]:
-    """Errors of sizes that are no lengths, or hardly any."""
+    """Errors of sizes that are no lengths, hardly any, or larger than anything that is built."""
     return [
         error(
             "section-size",
@@ -223,11 +223,15 @@ def size_findings(name: str, **sizes: float) -> list[Finding]:
             f"{key} must be a length, and one that can be made",
             f"give {key} in mm",
             value=float(value),
-            limit=tolerances.SMALLEST_SIZE,
+            limit=(
+                tolerances.LARGEST_SIZE
+                if value > tolerances.LARGEST_SIZE
+                else tolerances.SMALLEST_SIZE
+            ),
             unit="mm",
         )
         for key, value in sizes.items()
-        if not (np.isfinite(value) and value >= tolerances.SMALLEST_SIZE)
+        if not tolerances.SMALLEST_SIZE <= value <= tolerances.LARGEST_SIZE
     ]
 
 
