@@ -21,8 +21,7 @@ SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
      <FCText Name="Language">{language}</FCText>
     </FCParamGroup>
     <FCParamGroup Name="MainWindow">
-     <FCText Name="StyleSheet">{style}</FCText>
-     <FCText Name="Theme">{style}</FCText>
+{style}
     </FCParamGroup>
     <FCParamGroup Name="View">
      <FCBool Name="Gradient" Value="{gradient}"/>
@@ -34,8 +33,8 @@ SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
  </FCParamGroup>
 </FCParameters>
 """
-LIGHT = {"style": "", "gradient": 1, "simple": 0, "background": 0}
-DARK = {"style": "Behave-dark.qss", "gradient": 0, "simple": 1, "background": 0x21252BFF}
+LIGHT = {"dark": False, "gradient": 1, "simple": 0, "background": 0}
+DARK = {"dark": True, "gradient": 0, "simple": 1, "background": 0x21252BFF}
 
 
 def run_in_window(
@@ -68,11 +67,14 @@ def run_in_window(
         **{f"BENDTORSION_WINDOW_{name.upper()}": str(given) for name, given in environment.items()},
     }
     everything.pop("QT_QPA_PLATFORM", None)
-    subprocess.run(["make", "-s", "install"], cwd=ROOT, env=everything, check=True)
+    # What `make install` does (test_package.py), without asking for Debian's packages each time.
+    (folder / "freecad" / "Mod").mkdir(parents=True, exist_ok=True)
+    (folder / "freecad" / "Mod" / "BendTorsion").symlink_to(ROOT)
     # FreeCAD 1.1 has another name for it.
     if language == "Chinese Simplified" and release() >= (1, 1):
         language = "Chinese (Simplified)"
-    settings = SETTINGS.format(language=language, **(look or LIGHT))
+    look = look or LIGHT
+    settings = SETTINGS.format(language=language, style=_style(look["dark"]), **look)
     (folder / "freecad" / "user.cfg").write_text(settings, encoding="utf-8")
     command = ["xvfb-run", "-a", "-s", "-screen 0 1920x1200x24", "freecad", str(script)]
     with open(folder / "log.txt", "w+", encoding="utf-8", errors="replace") as log:
@@ -96,6 +98,15 @@ def run_in_window(
     return json.loads(result.read_text(encoding="utf-8"))
 
 
+def session(name: str, tmp_path_factory, **given) -> dict:
+    """What tests/window/<name>_session.py saw; its pictures are in build/pictures/<name>. given: of
+    `run_in_window`."""
+    script = ROOT / "tests" / "window" / f"{name}_session.py"
+    pictures = ROOT / "build" / "pictures" / name
+    given = {"time_limit": 400, "pictures": pictures, **given}
+    return run_in_window(script, tmp_path_factory.mktemp(name), **given)
+
+
 def step(window: dict, name: str):
     """What a step of a session saw; fails with its traceback when it broke off."""
     assert "failed" not in window[name], window[name]["failed"]
@@ -107,6 +118,18 @@ def release() -> tuple[int, int]:
     import FreeCAD
 
     return tuple(int(number) for number in FreeCAD.Version()[:2])
+
+
+def _style(dark: bool) -> str:
+    """The lines of settings for FreeCAD's own dark look, or for none: its name changed twice."""
+    named = {"StyleSheet": "", "Theme": ""}
+    if dark and release() >= (1, 1):
+        named = {"StyleSheet": "FreeCAD.qss", "Theme": "FreeCAD Dark", "QtStyle": "FreeCAD"}
+    elif dark and release() >= (1, 0):
+        named = {"StyleSheet": "FreeCAD Dark.qss", "Theme": "FreeCAD Dark"}
+    elif dark:
+        named = {"StyleSheet": "Behave-dark.qss", "Theme": "Behave-dark.qss"}
+    return "\n".join(f'     <FCText Name="{key}">{value}</FCText>' for key, value in named.items())
 
 
 def _end(process):

@@ -2,10 +2,8 @@
 """Cancel of a panel in FreeCAD's window: nothing is left to be computed again, shown, undone."""
 
 import pytest
-from freecad_window import ROOT, release, run_in_window, step
+from freecad_window import release, session, step
 
-SCRIPT = ROOT / "tests" / "window" / "cancel_session.py"
-PICTURES = ROOT / "build" / "pictures" / "cancel"
 CUTS = ("offset", "typed", "added", "removed", "slid", "dragged", "cut point")
 KINDS = ("Surface", "SectionSpec", "Axis", "Member", "PlateSet", "Unfold", "AssemblyBed")
 KINDS += ("Node", "SheetSet")
@@ -18,8 +16,7 @@ pytestmark = pytest.mark.slow
 @pytest.fixture(scope="module")
 def window(tmp_path_factory):
     """What one session saw."""
-    folder = tmp_path_factory.mktemp("cancel")
-    return run_in_window(SCRIPT, folder, time_limit=400, pictures=PICTURES)
+    return session("cancel", tmp_path_factory)
 
 
 def without_mark(left: dict) -> dict:

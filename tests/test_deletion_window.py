@@ -2,10 +2,8 @@
 """FreeCAD's own Delete, Undo and Redo of what others need, by menu and by real keys."""
 
 import pytest
-from freecad_window import ROOT, run_in_window, step
+from freecad_window import session, step
 
-SCRIPT = ROOT / "tests" / "window" / "deletion_session.py"
-PICTURES = ROOT / "build" / "pictures" / "deletion"
 DIRECT = {
     "Ground": ("M1-axis", "M2-axis"),
     "B": ("M1", "M2"),
@@ -17,14 +15,11 @@ DIRECT = {
 }
 """What is in error for want of what was deleted."""
 
-pytestmark = pytest.mark.slow
-
 
 @pytest.fixture(scope="module")
 def window(tmp_path_factory):
     """What one session saw."""
-    folder = tmp_path_factory.mktemp("deletion")
-    return run_in_window(SCRIPT, folder, time_limit=400, pictures=PICTURES)
+    return session("deletion", tmp_path_factory)
 
 
 @pytest.mark.parametrize("label", [*DIRECT, "N1"])
@@ -45,7 +40,7 @@ def test_what_misses_the_deleted_says_so(window, label):
     for status, size, _ in deleted.values():
         assert status == "ok" or size == ""
     for name, (status, size, _) in deleted.items():
-        if not name.startswith("SheetSet_") and status == "ok":
+        if not name.startswith("M1 sheets ") and status == "ok":
             assert size == found["before"][name][1], name
 
 

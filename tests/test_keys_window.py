@@ -2,21 +2,16 @@
 """The window by real keys alone: members from a selection, Tab, Esc and Enter in the panels."""
 
 import pytest
-from freecad_window import ROOT, run_in_window, step
+from freecad_window import session, step
 
-SCRIPT = ROOT / "tests" / "window" / "keys_session.py"
-PICTURES = ROOT / "build" / "pictures" / "keys"
 PANELS = ("Section", "Axis", "Surface", "Node", "Plates", "CutPoint", "Development")
 PANELS += ("AssemblyBed", "Alignment")
-
-pytestmark = pytest.mark.slow
 
 
 @pytest.fixture(scope="module")
 def window(tmp_path_factory):
     """What one session saw."""
-    folder = tmp_path_factory.mktemp("keys")
-    return run_in_window(SCRIPT, folder, time_limit=400, pictures=PICTURES)
+    return session("keys", tmp_path_factory)
 
 
 def test_members_are_made_by_keys_alone(window):

@@ -10,8 +10,6 @@ from freecad_window import ROOT, run_in_window
 sys.path.insert(0, str(ROOT / "scripts"))
 import translations
 
-pytestmark = pytest.mark.slow
-
 
 @pytest.fixture(scope="module")
 def window(tmp_path_factory):

@@ -25,8 +25,6 @@ with open({result!r}, "w") as stream:
     json.dump(macro_base.figures(FreeCAD.ActiveDocument), stream)
 """
 
-pytestmark = pytest.mark.slow
-
 
 @pytest.fixture(scope="module")
 def recorded(tmp_path_factory):
@@ -54,6 +52,7 @@ def test_what_is_recorded_is_our_lines(recorded):
     seen, macro = recorded
     assert seen["shown"] == [] and seen["free"] == 2
     assert {"M1 plates", "M2 plates", "Section 2", "M1 patterns"} <= set(seen["figures"])
+    assert "Section 3" not in seen["figures"]
     lines = macro.read_text(encoding="utf-8").splitlines()
     assert {line for line in lines if line.startswith("import ")} == {
         "import FreeCAD",
@@ -61,17 +60,40 @@ def test_what_is_recorded_is_our_lines(recorded):
     }
 
 
+def test_what_was_refused_or_cancelled_leaves_a_comment(recorded):
+    """Five commands were; the lines are those of what was done, each once."""
+    seen, macro = recorded
+    assert len(seen["refused"]) == 4
+    lines = macro.read_text(encoding="utf-8").splitlines()
+    assert not any("runCommand('BendTorsion_" in line for line in lines)
+    for words in ("# Members from selection", "# Section", "# Report", "# Export package"):
+        assert words in lines
+    made = [line.partition("make.")[2].partition("(")[0] for line in lines if "= make." in line]
+    wanted = ["make_surface", "make_section"]
+    wanted += 2 * ["make_axis", "make_member", "make_plates"]
+    assert made == [*wanted, "make_section", "make_unfold"]
+    files = [line for line in lines if "make_files." in line]
+    assert len(files) == 1 and "import_shapes" in files[0]
+
+
 def test_the_file_runs_in_a_new_window(recorded, tmp_path):
+    """And ends as the session did: the same is shown, seen from the same place."""
     seen, macro = recorded
     window = run_in_window(SCRIPT, tmp_path / "home", macro=macro, arcs="")
-    same(step(window, "run_again")["figures"], seen["figures"])
+    again = step(window, "run_again")
+    same(again["figures"], seen["figures"])
     assert "Error" not in window["report_view"]
+    assert again["shown_ones"] == seen["shown_ones"]
+    assert "Surface" not in seen["shown_ones"] and "M1 patterns" in seen["shown_ones"]
+    assert again["camera"] == seen["camera"]
 
 
 def test_the_file_runs_in_freecads_console(recorded, tmp_path):
     seen, macro = recorded
     result, after = tmp_path / "result.json", tmp_path / "after.py"
-    after.write_text(AFTER.format(scripts=str(ROOT / "tests" / "window"), result=str(result)))
+    after.write_text(
+        AFTER.format(scripts=str(ROOT / "tests" / "window"), result=str(result)), encoding="utf-8"
+    )
     environment = os.environ | {
         "HOME": str(tmp_path),
         "FREECAD_USER_HOME": str(tmp_path / "freecad"),
@@ -85,4 +107,4 @@ def test_the_file_runs_in_freecads_console(recorded, tmp_path):
         timeout=120,
     )
     assert result.exists(), done.stdout[-2000:] + done.stderr[-2000:]
-    same(json.loads(result.read_text()), seen["figures"])
+    same(json.loads(result.read_text(encoding="utf-8")), seen["figures"])

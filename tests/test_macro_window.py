@@ -15,6 +15,7 @@ SCRIPT = ROOT / "tests" / "window" / "macro_session.py"
 PICTURES = ROOT / "build" / "pictures" / "macro"
 CHANGE_NOTHING = {
     *("ShowAs", "ShowFrames", "ShowMarks", "ShowPoints", "MemberTable", "Check", "Findings"),
+    "FitMembers",
     *("WriteSchedule", "Report", "ExportPackage", "Repair", "SupportBundle"),
 }
 """Commands that look at a document or write files."""
@@ -29,7 +30,7 @@ def window(tmp_path_factory):
     """A session in which every command is used once."""
     folder = tmp_path_factory.mktemp("macro")
     seen = run_in_window(SCRIPT, folder, time_limit=400, pictures=PICTURES)
-    for step in ("all_commands", "opened"):
+    for step in ("all_commands", "opened", "two_documents"):
         assert "failed" not in seen[step], seen[step]["failed"]
     return seen
 
@@ -75,3 +76,16 @@ def test_schedules_and_templates_open_by_a_macro(window):
     lines = window["opened"]["lines"]
     assert sum("make_files.open_schedule(" in line for line in lines) == 1
     assert sum("make_files.open_template('member'" in line for line in lines) == 1
+
+
+def test_a_step_about_two_documents_names_each(window):
+    """Replayed, another may be active by then: only the first is the one that is active."""
+    seen = window["two_documents"]
+    assert seen["One"] == ["First", "Third"] and seen["Two"] == ["Second", "Fourth"]
+    named = [line for line in seen["lines"] if line.startswith("document = ")]
+    assert named == [
+        "document = FreeCAD.ActiveDocument",
+        "document = FreeCAD.getDocument('Two')",
+        "document = FreeCAD.getDocument('One')",
+        "document = FreeCAD.getDocument('Two')",
+    ]

@@ -2,26 +2,23 @@
 """Drawing pages in FreeCAD's window: drawn when they are opened or exported."""
 
 import pytest
-from freecad_window import ROOT, run_in_window
+from freecad_window import session, step
 from test_view_window import save_document
 
 from BendTorsionWB.sheets.pdf import start_qt
 from BendTorsionWB.sheets.qt import settle_threads
 
-pytestmark = pytest.mark.slow
+
+@pytest.fixture(scope="module")
+def window(tmp_path_factory):
+    """What one session saw."""
+    document = save_document(tmp_path_factory.mktemp("headless") / "headless.FCStd")
+    return session("pages", tmp_path_factory, document=document)
 
 
-def test_pages_are_drawn_when_they_are_opened_and_never_stale(tmp_path):
+def test_pages_are_drawn_when_they_are_opened_and_never_stale(window):
     """Also those written as DXF unopened, or opened while an edit is taken back."""
-    window = run_in_window(
-        ROOT / "tests" / "window" / "pages_session.py",
-        tmp_path / "window",
-        time_limit=400,
-        pictures=ROOT / "build" / "pictures" / "pages",
-        document=save_document(tmp_path / "headless.FCStd"),
-    )
-    assert "failed" not in window["pages"], window["pages"]["failed"]
-    found = window["pages"]
+    found = step(window, "pages")
     assert len(found["before"]) > 3
     assert all(page == [False, 0] for page in found["before"])
     (first, edges), second = found["opened"]
@@ -35,6 +32,23 @@ def test_pages_are_drawn_when_they_are_opened_and_never_stale(tmp_path):
     before, opened = found["again"]
     assert before == [False, 0] and opened[0] and opened[1] > 10
     assert "Traceback" not in window["report_view"]
+
+
+def test_the_window_of_a_page_goes_and_comes_back_with_its_page(window):
+    """Sheets undone closes it, redone it shows the drawing as before, as often as one likes; so for
+    a page that an edit leaves without a sheet."""
+    found = step(window, "taken_back")
+    ((label, dark),) = found["made"].items()
+    assert dark > 1000 and found["front"] == "MDI view page"
+    for shown, pages, front in found["Undo"]:
+        assert shown == {} and pages == found["Undo"][0][1] and front == "View3DInventor"
+    for shown, pages, front in found["Redo"]:
+        assert list(shown) == [label] and shown[label] == pytest.approx(dark, rel=0.01)
+        assert pages > found["Undo"][0][1] and front == "MDI view page"
+    last, left = found["surplus"]
+    assert left == [label] != [last]
+    opened, dark = found["back"]
+    assert opened == sorted([label, last]) and dark > 1000
 
 
 def test_pages_that_waited_in_the_window_are_drawn_without_one(tmp_path):

@@ -2,21 +2,16 @@
 """Task panels of every kind: opened by a double-click, live, refusing what cannot be, by keys."""
 
 import pytest
-from freecad_window import ROOT, run_in_window, step
+from freecad_window import session, step
 from test_command_table import PROMISED
 
-SCRIPT = ROOT / "tests" / "window" / "panels_session.py"
-PICTURES = ROOT / "build" / "pictures" / "panels"
 KINDS = ("Ground", "M1-axis", "B", "M1", "M1 plates", "M1 patterns", "M1 bed", "N1", "M1 sheets")
-
-pytestmark = pytest.mark.slow
 
 
 @pytest.fixture(scope="module")
 def window(tmp_path_factory):
     """What one session saw."""
-    folder = tmp_path_factory.mktemp("panels")
-    return run_in_window(SCRIPT, folder, time_limit=400, pictures=PICTURES)
+    return session("panels", tmp_path_factory)
 
 
 @pytest.mark.parametrize("label", KINDS)
@@ -62,8 +57,23 @@ def test_each_lane_of_a_face_is_drawn_and_their_joints_move_together(window):
 
 def test_a_table_of_parts_says_how_it_is_filled(window):
     """And offers the faces, where one is asked for."""
-    hint, faces, places = step(window, "part_tables")
+    hint, faces, places = step(window, "part_tables")[:3]
     assert "paste" in hint and set(faces) == {"top", "bottom", "left", "right"} and places == []
+
+
+def test_a_table_of_parts_reads_cells_as_fields_do(window):
+    """A word in capitals, units, sums; a comma that can mean two things is at its cell."""
+    (allowed, told, marked), read = step(window, "part_tables")[3:]
+    assert not allowed and "row 1: 1,200 can mean" in told and "row 2: 3,400 can mean" in told
+    assert marked == [False, False, True, False]
+    assert read == [["top"], ["1500"], [25.0], True]
+
+
+def test_joints_typed_for_a_face_take_units_and_go_back(window):
+    seen = step(window, "joint_fields")
+    assert seen["units"] == [[2000.0, 4505.0], True]
+    assert seen["refused"] == [[2000.0, 4505.0], False]
+    assert seen["cancelled"] == seen["before"]
 
 
 def test_what_the_checks_refuse_cannot_be_accepted(window):
@@ -117,6 +127,30 @@ def test_the_document_templates_open_in_the_window(window, name):
     seen = step(window, "templates")[name]
     assert seen["shown"] == [] and seen["file"] and seen["wrong"] == []
     assert seen["members"] >= 1 and seen["seen"]
+
+
+@pytest.mark.parametrize(("label", "made"), [("B", 0), ("", 1)])
+def test_a_transaction_in_another_document_makes_no_second_step(window, label, made):
+    """One undo step takes back what OK kept; of what Cancel took back there is none, nor a redo."""
+    seen = step(window, "elsewhere")
+    names, redo, height, count, undone, left = seen[f"{label} Ok"]
+    assert len(names) == 1 and redo == [] and count == made
+    assert height == (500.0 if made else 620.0) and undone and left == 0
+    assert seen[f"{label} Cancel"] == [[], [], 500.0, 0]
+    # The other document keeps what was done in it.
+    assert seen["other"] == [["Script"] * 4, 4]
+    # Nor is that undone which it did in the document of the panel.
+    assert seen["both"] == [500.0, "noted"]
+
+
+def test_another_cut_in_the_view_waits_for_a_text_that_cannot_be(window):
+    """Nothing moves, the text stays to be mended, OK stays off; the own cut is dragged beside it,
+    and put back by Esc."""
+    seen = step(window, "other_cut")
+    assert seen["before"] == [2, ["bf"], False]
+    assert seen["other"] == [2, ["bf"], False, True, True]
+    assert seen["dragged"] == [2, ["bf"], False, True]
+    assert seen["escaped"] == [2, ["bf"], False, True]
 
 
 def test_no_exception_in_the_report_view(window):

@@ -2,20 +2,13 @@
 """Picking with the mouse in the 3D view of FreeCAD's window: cuts, alignments, links."""
 
 import pytest
-from freecad_window import ROOT, run_in_window
-
-SCRIPT = ROOT / "tests" / "window" / "picking_session.py"
-PICTURES = ROOT / "build" / "pictures" / "picking"
-
-pytestmark = pytest.mark.slow
+from freecad_window import session
 
 
 @pytest.fixture(scope="module")
 def window(tmp_path_factory):
     """What one session saw."""
-    return run_in_window(
-        SCRIPT, tmp_path_factory.mktemp("picking"), time_limit=400, pictures=PICTURES
-    )
+    return session("picking", tmp_path_factory)
 
 
 def seen(window, step):
@@ -81,3 +74,10 @@ def test_a_link_is_picked_only_after_its_button(window):
 def test_closing_the_document_ends_the_picking(window):
     assert not seen(window, "view_closed")["open"]
     assert "Traceback" not in window["report_view"]
+
+
+def test_a_cut_is_put_where_a_large_section_was_clicked(window):
+    """On the edge of a section of 2.5 m, 1.8 m from the axis."""
+    found = seen(window, "large_section")
+    assert sorted(map(abs, found["off"])) == pytest.approx([1250.0, 1250.0], abs=0.1)
+    assert found["shown"] == [] and found["cuts"] == [2, 4000.0]

@@ -7,8 +7,6 @@ from test_view_window import save_document
 
 PICTURES = ROOT / "build" / "pictures" / "preferences"
 
-pytestmark = pytest.mark.slow
-
 
 @pytest.fixture(scope="module")
 def window(tmp_path_factory):
@@ -21,7 +19,7 @@ def window(tmp_path_factory):
         pictures=PICTURES,
         document=save_document(folder / "existing.FCStd"),
     )
-    for step in ("before", "changed", "after", "layers", "language"):
+    for step in ("before", "changed", "after", "layers", "sizes", "language"):
         assert "failed" not in found[step], found[step]["failed"]
     return found
 
@@ -69,6 +67,17 @@ def test_names_of_layers_that_cannot_be_are_not_kept(window):
     assert "two layers have one name" in seen["told"][0]
     assert seen["kept"]["LayerPUNCH"] == "PUNCH" and seen["kept"]["LayerREF"] == "REF"
     assert seen["kept"]["LayerCUT_OUTER"] == "10"
+
+
+def test_sizes_that_cannot_be_are_told_and_not_kept(window):
+    """By the name of their field; those that can be are kept."""
+    seen = window["sizes"]
+    assert seen["marked"] == [True, True, True, False]
+    (told,) = seen["told"]
+    assert "Height h: bf cannot be read" in told and "Breadth b: 1 km is too much" in told
+    assert "Station spacing: 5 mm is too little: 10 mm or more" in told
+    names = ("Height", "Breadth", "StationSpacing", "Slope")
+    assert [seen["kept"][name] for name in names] == [750.0, 600.0, 250.0, 3.0]
 
 
 def test_the_window_s_language_is_a_preference(window):

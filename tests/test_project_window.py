@@ -3,7 +3,6 @@
 
 from pathlib import Path
 
-import pytest
 from freecad_window import run_in_window
 from test_build import APART, schedule
 
@@ -14,7 +13,6 @@ from BendTorsionWB.sheets.qt import qt_modules
 SESSION = Path(__file__).parent / "window" / "project_session.py"
 
 
-@pytest.mark.slow
 def test_a_split_model_is_seen_whole_when_it_is_opened(tmp_path):
     book, out = schedule(tmp_path / "two.xlsx", APART), tmp_path / "out"
     result = project.build(book, out, workers=1, wanted=Wanted(sheets=False, split=1))

@@ -2,11 +2,8 @@
 """What must not happen in the window: the wrong one edited, a half of it kept, texts lost."""
 
 import pytest
-from freecad_window import ROOT, run_in_window, step
+from freecad_window import session, step
 from test_build import APART, schedule
-
-SCRIPT = ROOT / "tests" / "window" / "refusals_session.py"
-PICTURES = ROOT / "build" / "pictures" / "refusals"
 
 pytestmark = pytest.mark.slow
 
@@ -14,10 +11,8 @@ pytestmark = pytest.mark.slow
 @pytest.fixture(scope="module")
 def window(tmp_path_factory):
     """What one session saw."""
-    folder = tmp_path_factory.mktemp("refusals")
-    book = schedule(folder / "two.xlsx", APART)
-    home = folder / "home"
-    return run_in_window(SCRIPT, home, time_limit=400, pictures=PICTURES, schedule=book)
+    book = schedule(tmp_path_factory.mktemp("book") / "two.xlsx", APART)
+    return session("refusals", tmp_path_factory, schedule=book)
 
 
 def test_where_one_is_edited_several_are_refused(window):
@@ -156,8 +151,8 @@ def test_colours_of_several_members_have_one_scale_and_one_legend(window):
     ((by, lines, labels),) = seen["thickness"]
     assert by == "thickness" and [line.split()[1] for line in lines] == ["16", "30"]
     assert labels == ["M1 plates", "M2 plates"]
-    ((by, lines, labels),) = seen["strain"]
-    assert by == "strain" and len(lines) == 5 and len(labels) == 2
+    ((by, lines, labels),) = seen["curvature"]
+    assert by == "curvature" and len(lines) == 5 and len(labels) == 2
     assert seen["ranges"][0] == seen["ranges"][1] == seen["kept"][0] == seen["kept"][1]
     assert seen["own"][0] != seen["own"][1]
     assert seen["touched"] == [] and len(seen["undo"]) == 2 and seen["patterns"] == "ok"

@@ -2,22 +2,15 @@
 """The example opened from its command and stopped in the middle; panels with two documents open."""
 
 import pytest
-from freecad_window import ROOT, run_in_window, step
+from freecad_window import session, step
 from test_build import APART, schedule
-
-SCRIPT = ROOT / "tests" / "window" / "run_session.py"
-PICTURES = ROOT / "build" / "pictures" / "run"
-
-pytestmark = pytest.mark.slow
 
 
 @pytest.fixture(scope="module")
 def window(tmp_path_factory):
     """What one session saw, a small schedule in the place of the hall's."""
-    folder = tmp_path_factory.mktemp("run")
-    book = schedule(folder / "two.xlsx", APART)
-    home = folder / "home"
-    return run_in_window(SCRIPT, home, time_limit=400, pictures=PICTURES, schedule=book)
+    book = schedule(tmp_path_factory.mktemp("book") / "two.xlsx", APART)
+    return session("run", tmp_path_factory, schedule=book)
 
 
 @pytest.mark.parametrize("way", ["alone", "window", "document"])
@@ -49,6 +42,10 @@ def test_a_panel_edits_its_own_document(window, button):
 
 def test_a_panel_goes_with_its_document(window):
     assert step(window, "two_documents")["closed"] == [True, False, True, False]
+
+
+def test_a_panel_goes_when_its_object_and_its_document_do(window):
+    assert step(window, "gone_at_once") == {"panel": False}
 
 
 def test_no_exception_in_the_report_view(window):

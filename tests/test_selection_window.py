@@ -5,19 +5,13 @@ deleted curves; letters typed over cells, Esc in the view."""
 import re
 
 import pytest
-from freecad_window import ROOT, run_in_window, step
-
-SCRIPT = ROOT / "tests" / "window" / "selection_session.py"
-PICTURES = ROOT / "build" / "pictures" / "selection"
-
-pytestmark = pytest.mark.slow
+from freecad_window import session, step
 
 
 @pytest.fixture(scope="module")
 def window(tmp_path_factory):
     """What one session saw."""
-    folder = tmp_path_factory.mktemp("selection")
-    return run_in_window(SCRIPT, folder, time_limit=400, pictures=PICTURES)
+    return session("selection", tmp_path_factory)
 
 
 def test_shapes_imported_without_a_document(window):
@@ -132,6 +126,31 @@ def test_the_surface_of_a_face_is_used_again(window):
 
 def test_surfaces_are_numbered_as_sections_are(window):
     assert step(window, "surface_used_again")["new"] == ["Surface", "Surface 2", "Surface 3"]
+
+
+def test_a_node_of_the_tree_stands_for_what_it_holds(window):
+    """A part or a compound by itself for its faces and curves, for nothing beside what is picked of
+    it; what of a selection is neither is named."""
+    seen = step(window, "tree_nodes")
+    one = ["Ball", "Face1", [["L1", "Edge1"]]]
+    for name in ("with parts", "after parts", "compound and its line", "and nothing"):
+        assert seen[name] == one, name
+    assert seen["alone"] == ["Ball", "", [["L1", ""], ["L2", ""]]]
+    label, faces, curves = seen["compound"]
+    assert [label, faces] == ["whole", ""]
+    assert curves == [["whole", "Edge4"], ["whole", "Edge5"]]
+    assert "no curve is selected" in seen["no curve"]
+    assert "Ball.Face1" in seen["no curve"] and "empty" in seen["no curve"]
+    assert "2 faces" in seen["two faces"]
+    assert "Ball.Face1" in seen["two faces"] and "whole" in seen["two faces"]
+
+
+def test_members_of_a_part_that_was_moved(window):
+    """They stand where the part stands; what was picked with it and is of no use is told."""
+    seen = step(window, "tree_nodes")
+    assert seen["shown"] == [] and seen["made"] == [["M1", "ok"], ["M2", "ok"]]
+    assert "Left aside" in seen["said"] and "empty" in seen["said"]
+    assert seen["x"] == pytest.approx([-3000.0, 5000.0], abs=20.0)
 
 
 def test_no_exception_in_the_report_view(window):

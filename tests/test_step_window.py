@@ -9,8 +9,6 @@ from BendTorsionWB.step_fragments import made_fragment
 
 SCRIPT = ROOT / "tests" / "window" / "step_session.py"
 
-pytestmark = pytest.mark.slow
-
 
 def test_freecad_reads_tree_names_and_colours(tmp_path):
     # An assembly of one part it takes for the part, so each has two.

@@ -2,9 +2,7 @@
 """Long work in FreeCAD's window is stopped by a real click on Cancel, at any phase."""
 
 import pytest
-from freecad_window import ROOT, run_in_window, step
-
-SCRIPT = ROOT / "tests" / "window" / "stop_session.py"
+from freecad_window import session, step
 
 pytestmark = pytest.mark.slow
 
@@ -12,7 +10,7 @@ pytestmark = pytest.mark.slow
 @pytest.fixture(scope="module")
 def window(tmp_path_factory):
     """What one session saw."""
-    return run_in_window(SCRIPT, tmp_path_factory.mktemp("stop"), time_limit=300)
+    return session("stop", tmp_path_factory, time_limit=300)
 
 
 @pytest.mark.parametrize("when", ["made", "drawn"])

@@ -5,22 +5,18 @@ import json
 from itertools import combinations
 
 import pytest
-from freecad_window import ROOT, run_in_window, step
+from freecad_window import ROOT, run_in_window, session, step
 
 from BendTorsionWB.gui import words
 
-TRADE = ROOT / "tests" / "window" / "trade_session.py"
 OPENING = ROOT / "tests" / "window" / "opening_session.py"
 PICTURES = ROOT / "build" / "pictures" / "trade"
-
-pytestmark = pytest.mark.slow
 
 
 @pytest.fixture(scope="module")
 def window(tmp_path_factory):
     """What one session saw."""
-    folder = tmp_path_factory.mktemp("trade")
-    return run_in_window(TRADE, folder, time_limit=400, pictures=PICTURES)
+    return session("trade", tmp_path_factory)
 
 
 @pytest.fixture(scope="module")
@@ -153,6 +149,11 @@ def test_what_cannot_be_stays_until_it_is_mended_or_dropped(window):
     seen = step(window, "table")
     assert seen["kept"] == ["00; 20000", True] and seen["other"] == 25.0
     assert seen["mended"] == seen["dropped"] == ["6000 12000", ""]
+
+
+def test_only_patterns_can_be_moved_with_the_mouse(window):
+    seen = step(window, "transform")
+    assert seen == {"Member": False, "PlateSet": False, "Unfold": True}
 
 
 def test_severities_are_lighter_on_a_dark_ground(window):

@@ -2,9 +2,8 @@
 """Keys typed in FreeCAD's window while previews run: none is lost, none is taken for another."""
 
 import pytest
-from freecad_window import ROOT, run_in_window, step
+from freecad_window import session, step
 
-SCRIPTS = ROOT / "tests" / "window"
 FLAWED, UNSHOWN = "solid #c62828", "dashed"
 
 pytestmark = pytest.mark.slow
@@ -13,8 +12,7 @@ pytestmark = pytest.mark.slow
 @pytest.fixture(scope="module")
 def window(tmp_path_factory):
     """What one session saw; its keys are typed by a process of its own."""
-    folder = tmp_path_factory.mktemp("typing")
-    return run_in_window(SCRIPTS / "typing_session.py", folder, time_limit=400)
+    return session("typing", tmp_path_factory)
 
 
 @pytest.mark.parametrize(
@@ -27,6 +25,9 @@ def window(tmp_path_factory):
         ("50 cm 0.1", 500.0),
         ("0.5 m 0.1", 500.0),
         ("1 m - 35 mm 0.1", 965.0),
+        ("600 mm + 50 mm 0.1", 650.0),
+        ("2 * (300 mm + 1 cm) 0.1", 620.0),
+        ("0,7 m 0.1", 700.0),
     ],
 )
 def test_every_key_arrives_whatever_is_computed_meanwhile(window, typed, height):

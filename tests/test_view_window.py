@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from freecad_window import DARK, LIGHT, ROOT, run_in_window
+from test_colours import lightness
 
 SCRIPT = ROOT / "tests" / "window" / "view_session.py"
 PICTURES = ROOT / "build" / "pictures" / "view"
@@ -85,6 +86,15 @@ def test_a_document_saved_without_a_window_comes_up_complete(window):
     assert "M2 sheets 1" in below(found["tree"], "M2 sheets")
 
 
+@pytest.mark.parametrize("kind", ["Surface", "Axis", "PlateSet", "Member", "Unfold"])
+def test_new_objects_stand_out_on_light_and_dark_views(window, kind):
+    """At 3:1 or more (WCAG 2), on white and on the ground of the dark theme."""
+    shown = lightness(seen(window, "saved_without_window")["colours"][kind])
+    for ground in ((1.0, 1.0, 1.0), (0x21 / 255, 0x25 / 255, 0x2B / 255)):
+        dark, light = sorted((shown, lightness(ground)))
+        assert (light + 0.05) / (dark + 0.05) >= 3.0
+
+
 def test_the_legend_stands_in_the_view_and_is_no_part_of_its_bounds(window):
     """One picture for both members' plates, each with its own numbers; plates stay in place."""
     found = seen(window, "saved_without_window")
@@ -131,6 +141,7 @@ def test_what_was_hidden_stays_hidden_when_an_error_is_mended(window):
         "skin, plates wanted": (hidden, shown),
         "plates, skin wanted": (shown, hidden),
         "hidden by hand": (hidden, hidden),
+        "shown by hand": (hidden, shown),
     }
     for case, (member, plates) in wanted.items():
         during, after = found[case]
@@ -185,3 +196,18 @@ def test_hundreds_of_labels_do_not_stall_the_view(window):
 def test_the_report_view_has_no_exception(window):
     assert "Traceback" not in window["report_view"]
     assert "Bnd_Box" not in window["report_view"]
+
+
+def test_members_are_fitted_without_the_surface_they_lie_on(window):
+    """All, or the one that is selected, as large as there is room; surface and selection stay."""
+    found = seen(window, "fitted")
+
+    def size(boxes):
+        low, high = (pick(box[k] for box in boxes) for k, pick in ((0, min), (1, max)))
+        bottom, top = (pick(box[k] for box in boxes) for k, pick in ((2, min), (3, max)))
+        assert min(low, bottom) >= 0.0 and max(high, top) <= 1.0
+        return max(high - low, top - bottom)
+
+    assert size(found["everything"]) < 0.5 < size(found["members"])
+    assert size(found["one"][1:]) > 0.5 and size(found["one"][1:]) > size(found["members"][1:])
+    assert found["selected"] == ["M2"] and found["surface"] == [True, True]

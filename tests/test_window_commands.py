@@ -12,8 +12,6 @@ PICTURES = ROOT / "build" / "pictures" / "commands"
 AREA = 800 * 600 - 768 * 568
 CENTROID = 20000.0 - 400.0
 
-pytestmark = pytest.mark.slow
-
 
 @pytest.fixture(scope="module")
 def window(tmp_path_factory):
@@ -29,8 +27,8 @@ def output(tmp_path_factory):
     script = SCRIPTS / "output_session.py"
     folder = tmp_path_factory.mktemp("output")
     seen = run_in_window(script, folder, time_limit=400, pictures=PICTURES)
-    assert "failed" not in seen["output"], seen["output"]["failed"]
-    return seen["output"] | {"report_view": seen["report_view"]}
+    own = step(seen, "output") | {name: step(seen, name) for name in ("losses", "split")}
+    return own | {"report_view": seen["report_view"]}
 
 
 def test_every_command_is_on_a_toolbar_with_icon_words_and_a_shortcut_of_its_own(window):
@@ -241,6 +239,8 @@ def test_package_is_that_of_the_command_line_and_can_be_stopped(output):
     )
     assert {f"{mark}.dxf" for mark in output["marks"]} <= set(output["plates"])
     assert output["active"]
+    seen, own = output["seen"]
+    assert seen == [own]
 
 
 def test_schedule_is_written_and_read_again(output):
@@ -249,6 +249,27 @@ def test_schedule_is_written_and_read_again(output):
     assert output["import_shown"] == []
     assert output["import"] == pytest.approx(output["wanted"], rel=1e-9)
     assert output["report"] == [[], True]
+
+
+def test_what_a_schedule_cannot_say_is_told_by_its_command(output):
+    """In a box, each with its mend; of too many the Report view, which stays closed, has all."""
+    shown, said, (text,), opened, listed = output["losses"]["1"]
+    assert shown == [] and "spare1.xlsx" in said and not opened and listed == 0
+    heading, *lines = text.splitlines()
+    assert heading.startswith("Written without") and f"({len(lines)})" in heading
+    assert any("SectionSpec spare 0" in line and " -> " in line for line in lines)
+    assert "more" not in text
+    shown, _, (text,), opened, listed = output["losses"]["10"]
+    heading, *lines = text.splitlines()
+    assert shown == [] and not opened and listed == 1
+    assert len(lines) == 9 and "more" in lines[-1] and "Report view" in lines[-1]
+
+
+def test_the_document_of_a_split_model_names_those_to_open(output):
+    """It holds no member itself."""
+    assert len(output["split"]) == 3
+    for lines in output["split"].values():
+        assert len(lines) == 1 and "open or name one of these: model/001.FCStd" in lines[0]
 
 
 def test_what_cannot_be_read_or_written_is_told_in_a_line(output):

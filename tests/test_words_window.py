@@ -4,13 +4,11 @@
 import re
 
 import pytest
-from freecad_window import ROOT, run_in_window, step
+from freecad_window import session, step
 
 from BendTorsionWB.core.part_tables import PART_COLUMNS
 from BendTorsionWB.gui.member_rows import COLUMNS
 
-SCRIPT = ROOT / "tests" / "window" / "words_session.py"
-PICTURES = ROOT / "build" / "pictures" / "words"
 CHINESE = re.compile("[\u4e00-\u9fff]")
 LATIN = re.compile(r"[A-Za-z]{3,}|OK")
 SENTENCE = re.compile(r"[A-Za-z]{2,}(?: [a-z]{2,}){2,}")
@@ -26,15 +24,11 @@ TYPED |= {"centre", "axis", "none", "auto", "punch", "line", "text"}
 QUOTED = ("left right middle", "end plates", "bevel angle", "inner backing", "line 200")
 """Words of the schedule a tooltip quotes."""
 
-pytestmark = pytest.mark.slow
-
 
 @pytest.fixture(scope="module")
 def window(tmp_path_factory):
     """A session in Simplified Chinese."""
-    folder = tmp_path_factory.mktemp("words")
-    language = "Chinese Simplified"
-    return run_in_window(SCRIPT, folder, language=language, time_limit=400, pictures=PICTURES)
+    return session("words", tmp_path_factory, language="Chinese Simplified")
 
 
 def english(texts) -> list[str]:

@@ -6,8 +6,6 @@ from freecad_window import ROOT, run_in_window
 
 BOX = {"h": 800.0, "b": 600.0, "t": 16.0}
 
-pytestmark = pytest.mark.slow
-
 
 def save_without_window(path):
     """A member with plates on a plane, saved by plain Python."""

@@ -40,12 +40,6 @@ class AlignmentPicker(QtWidgets.QWidget):
             self.update()
             self.chosen.emit(value)
 
-    def show_value(self, value: str) -> None:
-        """Show a position without telling."""
-        self.value = value
-        self._tell()
-        self.update()
-
     def point_of(self, name: str) -> QtCore.QPointF:
         """Where a position is drawn."""
         row, column = _place(name)

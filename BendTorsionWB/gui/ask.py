@@ -3,11 +3,15 @@
 
 from __future__ import annotations
 
+import itertools
 from pathlib import Path
 
+import FreeCAD
 import FreeCADGui
 
 from BendTorsionWB.gui.qt import QtCore, QtWidgets
+
+translate = FreeCAD.Qt.translate
 
 
 def open_file(title: str, kinds: str) -> str | None:
@@ -31,7 +35,7 @@ def _free(name: str, suffix: str) -> str:
     if not name:
         return ""
     folder = QtCore.QStandardPaths.writableLocation(QtCore.QStandardPaths.DocumentsLocation)
-    paths = (Path(folder) / f"{name}{k}{suffix}" for k in ("", *range(2, 1000)))
+    paths = (Path(folder) / f"{name}{k}{suffix}" for k in itertools.chain([""], itertools.count(2)))
     return str(next(path for path in paths if not path.exists()))
 
 
@@ -42,14 +46,34 @@ def folder(title: str) -> str | None:
 
 def choice(title: str, label: str, choices: list[str]) -> str | None:
     """One of several."""
-    window = FreeCADGui.getMainWindow()
-    text, accepted = QtWidgets.QInputDialog.getItem(window, title, label, choices, 0, False)
-    return text if accepted else None
+    dialog = QtWidgets.QInputDialog(FreeCADGui.getMainWindow())
+    dialog.setWindowTitle(title)
+    dialog.setLabelText(label)
+    dialog.setComboBoxItems(choices)
+    dialog.setComboBoxEditable(False)
+    dialog.setTextValue(choices[0])
+    dialog.setOkButtonText(translate("BendTorsion", "OK"))
+    dialog.setCancelButtonText(translate("BendTorsion", "Cancel"))
+    return dialog.textValue() if answered(dialog) else None
 
 
 def warn(text: str) -> None:
     """Show what could not be done, and wait until it is read."""
-    QtWidgets.QMessageBox.warning(FreeCADGui.getMainWindow(), "BendTorsion", text)
+    window = FreeCADGui.getMainWindow()
+    warning, ok = QtWidgets.QMessageBox.Warning, QtWidgets.QMessageBox.Ok
+    box = QtWidgets.QMessageBox(warning, "BendTorsion", text, ok, window)
+    box.button(ok).setText(translate("BendTorsion", "OK"))
+    answered(box)
+
+
+def answered(dialog) -> int:
+    """Show a dialog until it is answered; 0 when it is cancelled. It is deleted as soon as FreeCAD
+    goes on."""
+    try:
+        return dialog.exec_() if hasattr(dialog, "exec_") else dialog.exec()
+    finally:
+        # The window, whose child it is, would keep it.
+        dialog.deleteLater()
 
 
 def tell(text: str) -> None:

@@ -3,20 +3,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 
-def chains(shape) -> list:
-    """Names of the edges of each connected chain of a shape; '' when all are one chain."""
-    names = [f"Edge{k}" for k in range(1, len(shape.Edges) + 1)]
+
+def chains(shape, own: Sequence[str] = ()) -> list:
+    """Names of the edges of each connected chain of a shape; '' when all are one chain. own: of
+    these edges only, which have their names then."""
+    names = list(own) or [f"Edge{k}" for k in range(1, len(shape.Edges) + 1)]
+    edges = [shape.getElement(name) for name in own] or shape.Edges
     groups: list[tuple[set, list]] = []
-    for name, edge in zip(names, shape.Edges, strict=True):
+    for name, edge in zip(names, edges, strict=True):
         ends = {tuple(round(x, 3) for x in vertex.Point) for vertex in edge.Vertexes}
         joined = [group for group in groups if group[0] & ends]
         groups = [group for group in groups if group not in joined]
         groups.append(
             (ends.union(*(group[0] for group in joined)), sum((g[1] for g in joined), []) + [name])
         )
-    if len(groups) == 1:
+    if len(groups) == 1 and not own:
         return [""]
-    found = [sorted(own, key=names.index) for _, own in groups]
-    found.sort(key=lambda own: names.index(own[0]))
-    return [own[0] if len(own) == 1 else own for own in found]
+    found = [sorted(chain, key=names.index) for _, chain in groups]
+    found.sort(key=lambda chain: names.index(chain[0]))
+    return [chain[0] if len(chain) == 1 else chain for chain in found]

@@ -11,9 +11,8 @@ import FreeCAD
 import FreeCADGui
 
 from BendTorsionWB.core.finding import BendTorsionError, error
-from BendTorsionWB.gui import ask, finding_words, resources
+from BendTorsionWB.gui import ask, finding_words, macro, resources
 from BendTorsionWB.gui.progress import Cancelled
-from BendTorsionWB.gui.qt import QtWidgets
 
 PREFIX = "BendTorsion_"
 
@@ -56,7 +55,9 @@ class Command:
         return not self.needs_document or FreeCAD.ActiveDocument is not None
 
     def Activated(self):
-        """Run it; errors are shown as lines."""
+        """Run it; errors are shown as lines. A comment of its own stands in a macro, whatever it
+        does: of a command without any line FreeCAD has the macro run the command itself."""
+        macro.comment(self.text)
         with errors_shown():
             self.run(FreeCAD.ActiveDocument)
 
@@ -80,4 +81,4 @@ def errors_shown():
 
 def _show(text: str) -> None:
     FreeCAD.Console.PrintLog(f"{text}\n")
-    QtWidgets.QMessageBox.warning(FreeCADGui.getMainWindow(), "BendTorsion", text)
+    ask.warn(text)

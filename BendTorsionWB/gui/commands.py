@@ -26,7 +26,9 @@ TOOLBARS = {
         *("Plates", "Splits", "Pieces", "Diaphragms", "Openings", "FaceMarks", "Welds", "Node"),
         *(SEPARATOR, "Development", "AssemblyBed"),
     ),
-    "BendTorsion View": ("ShowAs", "ShowFrames", "ShowMarks", "ShowPoints", "ColourBy"),
+    "BendTorsion View": (
+        *("FitMembers", "ShowAs", "ShowFrames", "ShowMarks", "ShowPoints", "ColourBy"),
+    ),
     "BendTorsion Output": (
         *("Check", "Findings", "Sheets", "ExportPackage", "Report"),
         *(SEPARATOR, "ImportSchedule", "WriteSchedule", "Example"),

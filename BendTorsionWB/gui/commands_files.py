@@ -7,9 +7,8 @@ from contextlib import nullcontext
 from pathlib import Path
 
 import FreeCAD
-import FreeCADGui
 
-from BendTorsionWB.gui import ask, finding_words, first_view, macro, resources, selection
+from BendTorsionWB.gui import ask, macro, not_written, resources, selection
 from BendTorsionWB.gui.command import Command
 from BendTorsionWB.gui.progress import PATIENCE, progress
 
@@ -30,13 +29,14 @@ def import_shapes(document) -> None:
     path = ask.open_file(title, translate("BendTorsion", GEOMETRY))
     if path is None:
         return
+    alone = document is None or not document.Objects
     with progress(title):
         if document is None:
             macro.on_files(None, "import_shapes", None, path)
         else:
             with macro.undo_step(document, title):
                 macro.on_files(document, "import_shapes", document, path)
-    FreeCADGui.SendMsgToActiveView("ViewFit")
+    macro.in_window("first_view", "look_at_first" if alone else "fit")
 
 
 def import_schedule(document) -> None:
@@ -61,12 +61,13 @@ def import_schedule(document) -> None:
 def _open_schedule(title: str, path, sheets: bool = False) -> None:
     with progress(title):
         macro.on_files(None, "open_schedule", str(path), sheets=sheets)
-    first_view.look_at_members(FreeCAD.ActiveDocument)
+    macro.in_window("first_view", "look_at_members")
 
 
 def write_schedule(document) -> None:
     """The document as a schedule; what a schedule cannot say is told."""
     title = translate("BendTorsion", "Write schedule")
+    selection.refuse_split(document)
     if not any(getattr(obj, "BT_Type", "") == "Member" for obj in document.Objects):
         raise selection.refusal(
             QT_TRANSLATE_NOOP("BendTorsion", "the document has no member"),
@@ -77,13 +78,9 @@ def write_schedule(document) -> None:
         return
     with progress(title):
         found = macro.on_files(document, "write_schedule", document, path)
-    for finding in found:
-        FreeCAD.Console.PrintWarning(f"{finding_words.line(finding)}\n")
-    ask.tell(
-        translate("BendTorsion", "Written: {file}; {count} things a schedule cannot say").format(
-            file=path, count=len(found)
-        )
-    )
+    ask.tell(translate("BendTorsion", "Written: {file}").format(file=path))
+    heading = translate("BendTorsion", "Written without what a schedule cannot say ({count}):")
+    not_written.tell({heading.format(count=len(found)): found})
 
 
 def example(document) -> None:
@@ -103,7 +100,7 @@ def example(document) -> None:
     if path is None:
         return
     macro.on_files(None, "open_template", titles[chosen], path)
-    first_view.look_at_members(FreeCAD.ActiveDocument)
+    macro.in_window("first_view", "look_at_members")
 
 
 def repair(document) -> None:

@@ -11,6 +11,7 @@ import FreeCADGui
 from BendTorsionWB.gui import ask, macro, selection
 from BendTorsionWB.gui.command import Command
 from BendTorsionWB.gui.commands_plates import MEMBERS, edit_only, make_all
+from BendTorsionWB.gui.equal_section import section_of
 from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.progress import PATIENCE, progress
 
@@ -22,16 +23,27 @@ def members_from_selection(document) -> None:
     """Read the selection, ask for the section, make the members in one undo step."""
     from BendTorsionWB.gui import section_dialog
 
-    surface, curves = selection.surface_and_curves(selection.picked())
-    choice = section_dialog.ask(FreeCADGui.getMainWindow(), next_number(document), len(curves))
+    given = selection.picked()
+    surface, curves = selection.surface_and_curves(given)
+    choice = section_dialog.ask(
+        FreeCADGui.getMainWindow(), next_number(document), len(curves), document.Objects[0]
+    )
     if choice is None:
         return
     members = make_members(document, surface, curves, choice)
+    with macro.recorded(document):
+        macro.in_window("first_view", "look_at", *members)
     found = [text for one in members for text in (*one.Axis.Findings, *one.Findings)]
     count = sum(json.loads(text)["severity"] == "warning" for text in dict.fromkeys(found))
+    said = []
+    if given.others:
+        words = translate("BendTorsion", "Left aside, neither faces nor curves: {names}")
+        said.append(words.format(names=", ".join(obj.Label for obj in given.others)))
     if count:
         words = translate("BendTorsion", "Warnings: {count}, listed by Findings")
-        ask.tell(words.format(count=count))
+        said.append(words.format(count=count))
+    if said:
+        ask.tell("; ".join(said))
 
 
 def make_members(document, surface, curves, choice) -> list:
@@ -47,15 +59,13 @@ def make_members(document, surface, curves, choice) -> list:
             surface = selection.surface_of(surface) or macro.make(
                 "make_surface", document, free_label(document, "Surface"), face=surface
             )
-        section = macro.make(
-            "make_section",
-            document,
-            free_label(document, "Section"),
-            choice.type,
-            h=choice.h,
-            b=choice.b,
-            t=choice.t,
+        sizes = {"h": choice.h, "b": choice.b, "t": choice.t}
+        there = None if choice.bound else section_of(document, choice.type, sizes)
+        section = there or macro.make(
+            "make_section", document, free_label(document, "Section"), choice.type, **sizes
         )
+        for name, text in choice.bound:
+            macro.bind(section, name, text)
         members = []
         marks = free_marks(document, len(curves), choice.first)
         for mark, curve in zip(marks, curves, strict=True):
@@ -64,16 +74,14 @@ def make_members(document, surface, curves, choice) -> list:
             member = macro.make("make_member", document, mark, axis, [section], [segment])
             macro.make("make_plates", document, member)
             # The plates show the same body; two skins in one place only flicker.
-            member.ViewObject.Visibility = False
+            macro.put_view(member, "Visibility", False)
             members.append(member)
         macro.recompute(report, document.Objects[before:])
         macro.raise_errors(document.Objects[before:])
         # Faces the members follow lie in their own faces, where both flicker.
-        surface.ViewObject.Visibility = False
+        macro.put_view(surface, "Visibility", False)
         if surface.Source is not None:
-            surface.Source[0].ViewObject.Visibility = False
-    # What was picked is not what is worked on next.
-    FreeCADGui.Selection.clearSelection()
+            macro.put_view(surface.Source[0], "Visibility", False)
     return members
 
 
@@ -149,6 +157,8 @@ def axis(document) -> None:
     name = translate("BendTorsion", "Axis")
     surfaces, axes = given.of_kind("Surface"), given.of_kind("Axis")
     sources, faces = list(given.curves), list(given.faces)
+    if not sources and not given.points and len(faces) == 1:
+        sources = list(given.inside)
     if axes and given == selection.Picked(ours=tuple(axes)):
         mend = QT_TRANSLATE_NOOP("BendTorsion", "select one axis")
         things = QT_TRANSLATE_NOOP("BendTorsion", "axes")

@@ -6,7 +6,7 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui
 
-from BendTorsionWB.gui import ask, finding_words, macro, selection, tree
+from BendTorsionWB.gui import ask, macro, not_written, page_windows, selection, tree
 from BendTorsionWB.gui.command import Command
 from BendTorsionWB.gui.commands_plates import make_all, users
 from BendTorsionWB.gui.progress import progress
@@ -14,7 +14,8 @@ from BendTorsionWB.gui.qt import QtCore
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
-MOST_TOLD = 8
+ERRORS = QT_TRANSLATE_NOOP("BendTorsion", "Written without what is in error:")
+WITHOUT = QT_TRANSLATE_NOOP("BendTorsion", "Written without what is not laid flat:")
 NONE = QT_TRANSLATE_NOOP("BendTorsion", "no member has patterns")
 PATTERNS = QT_TRANSLATE_NOOP("BendTorsion", "select members with patterns; Development makes them")
 
@@ -63,27 +64,39 @@ def sheets(document) -> None:
         return [macro.make("make_sheets", document, item, bed=_bed_of(item)) for item in missing]
 
     made = make_all(document, title, make)
-    pages = []
-    for item in made:
-        for page in tree.children(item):
-            # The frames FreeCAD draws round views are no part of a drawing.
-            if "ShowFrames" in page.ViewObject.PropertiesList:
-                page.ViewObject.ShowFrames = False
-            if page.isDerivedFrom("TechDraw::DrawPage"):
-                pages.append(page)
-    if pages:
-        first = document.Name, pages[0].Name
-        # The dialog that closes gives the view back its focus a moment later.
-        QtCore.QTimer.singleShot(100, lambda: _open_page(*first))
+    with macro.recorded(document):
+        macro.in_window("commands_output", "show_pages", made)
     labels = ", ".join(item.Label for item in made)
     words = translate("BendTorsion", "{count} pages, in the tree below {sheets}")
-    ask.tell(words.format(count=len(pages), sheets=labels))
+    ask.tell(words.format(count=len(_pages(made)), sheets=labels))
+
+
+def _pages(sheet_sets: list) -> list:
+    return [
+        page
+        for item in sheet_sets
+        for page in tree.children(item)
+        if page.isDerivedFrom("TechDraw::DrawPage")
+    ]
+
+
+def show_pages(sheet_sets: list) -> None:
+    """Show new pages as they are drawn, and open the first."""
+    pages = _pages(sheet_sets)
+    for page in pages:
+        # The frames FreeCAD draws round views are no part of a drawing.
+        if "ShowFrames" in page.ViewObject.PropertiesList:
+            page.ViewObject.ShowFrames = False
+    if pages:
+        first = pages[0].Document.Name, pages[0].Name
+        # The dialog that closes gives the view back its focus a moment later.
+        QtCore.QTimer.singleShot(100, lambda: _open_page(*first))
 
 
 def _open_page(document: str, name: str) -> None:
     page = FreeCAD.listDocuments().get(document) and FreeCAD.getDocument(document).getObject(name)
     if page:
-        page.ViewObject.doubleClicked()
+        page_windows.open_whole(page)
 
 
 def _bed_of(unfold):
@@ -94,6 +107,7 @@ def _bed_of(unfold):
 def export_package(document) -> None:
     """Write cut files, sheets, STEP, workbook and report of the document into a folder."""
     title = translate("BendTorsion", "Export package")
+    selection.refuse_split(document)
     if not _kind(document, "Unfold"):
         raise selection.refusal(
             QT_TRANSLATE_NOOP("BendTorsion", "no member has patterns"), PATTERNS
@@ -108,11 +122,12 @@ def export_package(document) -> None:
             count=sum(bool(record.plates) for record in result.records), folder=out
         )
     )
-    _warn_of_errors(result.findings)
+    _warn_of_missing(result.findings)
 
 
 def report(document) -> None:
     """Write the figures as a workbook or as report.json."""
+    selection.refuse_split(document)
     if not _kind(document, "Unfold"):
         raise selection.refusal(
             QT_TRANSLATE_NOOP("BendTorsion", "no member has patterns"), PATTERNS
@@ -125,19 +140,20 @@ def report(document) -> None:
     with progress(title):
         found = macro.on_files(document, "write_report", document, path)
     ask.tell(translate("BendTorsion", "Written: {file}").format(file=path))
-    _warn_of_errors(found)
+    _warn_of_missing(found)
 
 
-def _warn_of_errors(findings) -> None:
-    """Show the errors of what is not in the files, where there are any."""
-    lines = [finding_words.line(finding) for finding in findings if finding.severity == "error"]
-    if not lines:
-        return
-    text = translate("BendTorsion", "Written without what is in error:")
-    if len(lines) > MOST_TOLD:
-        more = translate("BendTorsion", "and {count} more").format(count=len(lines) - MOST_TOLD)
-        lines = [*lines[:MOST_TOLD], more]
-    ask.warn("\n".join([text, *lines]))
+def _warn_of_missing(findings) -> None:
+    """Show what is not in the files and why, where there is any."""
+    # Here, not above: the workbench opens without loading numpy.
+    from BendTorsionWB.exchange.folder_guide import LEFT_OUT
+
+    not_written.tell(
+        {
+            translate("BendTorsion", ERRORS): [one for one in findings if one.severity == "error"],
+            translate("BendTorsion", WITHOUT): [one for one in findings if one.code in LEFT_OUT],
+        }
+    )
 
 
 def preferences(document) -> None:

@@ -6,9 +6,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import FreeCAD
-import FreeCADGui
 
-from BendTorsionWB.gui import ask, macro, selection
+from BendTorsionWB.gui import ask, first_view, macro, selection
 from BendTorsionWB.gui.command import Command
 from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.progress import PATIENCE, progress
@@ -33,15 +32,18 @@ def plates(document) -> None:
         PlatesPanel(Preview(document, name, users(member, "PlateSet")[:1])).show()
         return
     if len(bare) == 1:
-        preview = Preview(
-            document, name, create=lambda make: [make("make_plates", document, bare[0])]
-        )
-        bare[0].ViewObject.Visibility = False
+        preview = Preview(document, name, create=lambda make: _make_plates(make, document, bare))
         PlatesPanel(preview).show()
         return
-    make_all(document, name, lambda: [macro.make("make_plates", document, one) for one in bare])
-    for item in bare:
-        item.ViewObject.Visibility = False
+    make_all(document, name, lambda: _make_plates(macro.make, document, bare))
+
+
+def _make_plates(make: Callable, document, members: list) -> list:
+    """Plates that stand for their members from then on."""
+    made = [make("make_plates", document, one) for one in members]
+    for one in members:
+        macro.put_view(one, "Visibility", False)
+    return made
 
 
 def pieces(document) -> None:
@@ -190,8 +192,12 @@ def _of_plates(document, kind: str, new: Callable, name: str, panel: Callable) -
                 translate("BendTorsion", "{labels} have it already").format(labels=labels),
                 QT_TRANSLATE_NOOP("BendTorsion", "select one to edit it"),
             )
-        make_all(document, name, lambda: [shown(new(macro.make, document, one)) for one in missing])
-        FreeCADGui.SendMsgToActiveView("ViewFit")
+        make_all(
+            document,
+            name,
+            lambda: [shown(new(macro.make, document, one)) for one in missing],
+            fits=True,
+        )
         return
     if not missing:
         panel(Preview(document, name, users(own[0], kind)[:1])).show()
@@ -200,23 +206,26 @@ def _of_plates(document, kind: str, new: Callable, name: str, panel: Callable) -
     def create(make):
         return [shown(new(make, document, own[0]))]
 
-    panel(Preview(document, name, create=create)).show()
-    FreeCADGui.SendMsgToActiveView("ViewFit")
+    panel(Preview(document, name, create=create, fits=True)).show()
+    first_view.fit()
 
 
-def make_all(document, name: str, make: Callable[[], list]) -> list:
+def make_all(document, name: str, make: Callable[[], list], fits: bool = False) -> list:
     """Objects made, recomputed one by one and without error, in one undo step; long work can be
-    stopped, and leaves the document as it was. Raises BendTorsionError, Cancelled."""
+    stopped, and leaves the document as it was. fits: the view is fitted to them. Raises
+    BendTorsionError, Cancelled."""
     with progress(name, PATIENCE) as report, macro.undo_step(document, name):
         made = make()
         macro.recompute(report, made)
         macro.raise_errors(made)
+        if fits:
+            macro.in_window("first_view", "fit")
     return made
 
 
 def shown(obj):
     """The object, to be seen: flat patterns and beds are hidden when they come from a file."""
-    obj.ViewObject.Visibility = True
+    macro.put_view(obj, "Visibility", True)
     return obj
 
 

@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import FreeCAD
-import FreeCADGui
 
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.gui import ask, macro, member_display, selection
 from BendTorsionWB.gui.command import Command
-from BendTorsionWB.gui.progress import PATIENCE, progress
+from BendTorsionWB.gui.preview import is_there
+from BendTorsionWB.gui.progress import PATIENCE, Cancelled, progress
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -23,10 +23,11 @@ def show_frames(document) -> None:
     if not axes:
         axes = list(dict.fromkeys(item.Axis for item in _members(document) if item.Axis))
     shown = all(item.ViewObject.ShowFrames for item in axes)
-    for item in axes:
-        _show(item, "ShowFrames", not shown)
-        if not shown:
-            item.ViewObject.Visibility = True
+    with macro.recorded(document):
+        for item in axes:
+            macro.put_view(item, "ShowFrames", not shown)
+            if not shown:
+                macro.put_view(item, "Visibility", True)
 
 
 def show_marks(document) -> None:
@@ -39,13 +40,20 @@ def show_points(document) -> None:
     _toggle(document, "ShowPoints", translate("BendTorsion", "Show points"))
 
 
+def fit_members(document) -> None:
+    """Look at the selected members as large as the view has room; at all when none is selected."""
+    with macro.recorded(document):
+        macro.in_window("first_view", "fit_members", *_members(document))
+
+
 def show_as(document) -> None:
     """The next of plates, skin and axis for the selected members."""
     members = _members(document)
     modes = list(member_display.MODES)
     now = member_display.mode_of(members[0])
     following = modes[(modes.index(now) + 1) % len(modes)] if now in modes else modes[0]
-    member_display.show_as(members, following)
+    with macro.recorded(document):
+        macro.in_window("member_display", "show_as", members, following)
     ask.tell(translate("BendTorsion", member_display.MODES[following]))
 
 
@@ -81,17 +89,17 @@ def _laid_flat(plates) -> None:
 
 def _toggle(document, name: str, title: str) -> None:
     plates = _plates(document)
-    shown = all(getattr(item.ViewObject, name) for item in plates)
-    with progress(title, PATIENCE) as report:
-        for done, item in enumerate(plates):
-            report(item.Label, done, len(plates))
-            _show(item, name, not shown)
-
-
-def _show(obj, name: str, value: bool) -> None:
-    """Set a property of the view as a recorded line."""
-    place = f"FreeCAD.getDocument({obj.Document.Name!r}).getObject({obj.Name!r})"
-    FreeCADGui.doCommand(f"if FreeCAD.GuiUp: {place}.ViewObject.{name} = {value!r}")
+    before = [getattr(item.ViewObject, name) for item in plates]
+    with progress(title, PATIENCE) as report, macro.recorded(document):
+        try:
+            for done, item in enumerate(plates):
+                report(item.Label, done, len(plates))
+                macro.put_view(item, name, not all(before))
+        except Cancelled:
+            for item, value in zip(plates, before, strict=True):
+                if is_there(item):
+                    setattr(item.ViewObject, name, value)
+            raise
 
 
 def _members(document) -> list:
@@ -114,6 +122,18 @@ def _chosen(document, kind: str) -> list:
 
 
 COMMANDS = (
+    Command(
+        "FitMembers",
+        QT_TRANSLATE_NOOP("BendTorsion_FitMembers", "Fit members"),
+        QT_TRANSLATE_NOOP(
+            "BendTorsion_FitMembers",
+            "Fit the view to the selected members, without the surface they lie on; to all members"
+            " when nothing is selected",
+        ),
+        "B, 9",
+        fit_members,
+        ("Member", "PlateSet"),
+    ),
     Command(
         "ShowAs",
         QT_TRANSLATE_NOOP("BendTorsion_ShowAs", "Plates, skin or axis"),

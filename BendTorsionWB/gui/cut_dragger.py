@@ -82,8 +82,10 @@ class CutDragger:
         if self.held is None:
             return False
         member, k = self.panel.member, self.held.segment
+        if not self.panel.show_segment(k):
+            self.held = None
+            return True
         self.former = [(f"{name}{k}", getattr(member, f"{name}{k}")) for name in NAMES]
-        self.panel.show_segment(k)
         self._draw()
         return True
 
@@ -119,8 +121,8 @@ class CutDragger:
             return False
         for name, value in self.former:
             setattr(self.panel.member, name, value)
+        self.panel.segment_fields.read((f"Cut{self.held.segment}",))
         self.held = None
-        self.panel.segment_fields.read()
         self.panel.update()
         self.refresh()
         return True

@@ -37,6 +37,9 @@ class DocumentDock(QtWidgets.QDockWidget):
     def refresh(self) -> None:
         """Show the document as it is now."""
 
+    def forget_document(self, name: str) -> None:
+        """Drop what is kept of a document that goes: another may have its name."""
+
     def soon(self) -> None:
         """Refresh when FreeCAD is done with what it does."""
         self.timer.start(0)
@@ -82,6 +85,7 @@ class _Follow:
         """Called by FreeCAD before a document goes."""
         if self.dock.document == document:
             self.dock.document = None
+        self.dock.forget_document(document.Name)
         self.dock.soon()
 
 

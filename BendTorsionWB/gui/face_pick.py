@@ -47,7 +47,8 @@ def position_at(member, point) -> str:
 
     try:
         geometry = member_object.value(member).member
-        s = cut_place(geometry.frames.axis, point=np.array(tuple(point), float))
+        axis, reach = geometry.frames.axis, member_object.reach(member)
+        s = cut_place(axis, point=np.array(tuple(point), float), reach=reach)
     except BendTorsionError:
         return ""
     at = geometry.frames.at(np.array([s]))

@@ -7,7 +7,7 @@ import html
 import json
 import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import FreeCAD
 import FreeCADGui
@@ -15,8 +15,16 @@ import FreeCADGui
 from BendTorsionWB.core import finding_language
 from BendTorsionWB.core.finding import BendTorsionError, Finding
 
+translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 CHINESE = "zh-CN"
 FIGURE = re.compile(r"[-+]?\d[\d.,]*")
+
+COUNTED = {
+    "error": QT_TRANSLATE_NOOP("BendTorsion", "Errors: {count}"),
+    "warning": QT_TRANSLATE_NOOP("BendTorsion", "Warnings: {count}"),
+    "note": QT_TRANSLATE_NOOP("BendTorsion", "Notes: {count}"),
+}
 
 
 def is_chinese() -> bool:
@@ -36,9 +44,15 @@ def line(finding: Finding) -> str:
     return finding_language.chinese_line(finding) if is_chinese() else finding.line()
 
 
-def lines(problem: BendTorsionError) -> str:
-    """All findings of an error, a line each."""
-    return "\n".join(map(line, problem.findings))
+def counts(severities: Iterable[str]) -> str:
+    """How many there are of each severity, as a heading; empty when there are none."""
+    found = Counter(severities)
+    told = [
+        translate("BendTorsion", text).format(count=found[severity])
+        for severity, text in COUNTED.items()
+        if found[severity]
+    ]
+    return ("，" if is_chinese() else ", ").join(told)
 
 
 def told(problem: BendTorsionError) -> str:
@@ -67,9 +81,12 @@ def first_error(obj) -> str:
 
 
 def reason(finding: Finding) -> str:
-    """What is wrong and what mends it, told where the place is seen: at a field or a cell."""
+    """What is wrong, by how much, and what mends it, told where the place is seen: at a field or a
+    cell."""
     own = _told(finding)
-    return ("。" if is_chinese() else ". ").join(part for part in (own.message, own.mend) if part)
+    figures = finding_language.chinese_figures(own) if is_chinese() else own.figures()
+    told = (f"{own.message}{figures}", own.mend)
+    return ("。" if is_chinese() else ". ").join(part for part in told if part)
 
 
 def short_line(finding: Finding) -> str:

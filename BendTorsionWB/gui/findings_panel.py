@@ -9,7 +9,7 @@ import FreeCAD
 import FreeCADGui
 
 from BendTorsionWB.core.finding import SEVERITIES, BendTorsionError, Finding
-from BendTorsionWB.gui import finding_words
+from BendTorsionWB.gui import finding_words, member_display
 from BendTorsionWB.gui.dock import DocumentDock, shown
 from BendTorsionWB.gui.qt import QtGui, QtWidgets
 from BendTorsionWB.gui.task_panel import colour_of
@@ -115,11 +115,7 @@ def _shown_for(obj) -> list:
     """The plates that are seen in place of a hidden member."""
     if getattr(obj, "BT_Type", "") != "Member" or obj.ViewObject.Visibility:
         return []
-    return [
-        user
-        for user in obj.InList
-        if getattr(user, "BT_Type", "") == "PlateSet" and user.ViewObject.Visibility
-    ]
+    return member_display.plates_shown(obj)
 
 
 def _axis_of(obj):

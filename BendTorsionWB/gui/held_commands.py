@@ -54,6 +54,9 @@ class HeldCommands(QtCore.QObject):
 
     def eventFilter(self, window, event):
         """Called by Qt before the window has a key that nothing in front of it took."""
+        # PySide knows events by their address, and gives what lived there before.
+        if not isinstance(event, QtCore.QEvent):
+            return False
         if event.type() == QtCore.QEvent.ShortcutOverride and self._keys(event):
             ask.tell(translate("BendTorsion", "Close the panel first, by OK or Cancel"))
         return False

@@ -39,11 +39,9 @@ def icon_of(kind: str, severity: str):
     """The icon (QIcon) of a kind; severity: of the worst finding, empty when there is none."""
     plain = _drawn(kind)
     icon = QtGui.QIcon()
-    # The tree greys the icons of hidden objects; a badge is to stand out there too, and a member
-    # that shows as its plates is not hidden.
+    # The tree greys the icons of hidden objects; a badge is to stand out there too.
     for mode in (QtGui.QIcon.Normal, QtGui.QIcon.Disabled):
-        shown_as = QtGui.QIcon.Normal if kind == "Member" else mode
-        icon.addPixmap(_with_badge(plain.pixmap(SIZE, SIZE, shown_as), severity), mode)
+        icon.addPixmap(_with_badge(plain.pixmap(SIZE, SIZE, mode), severity), mode)
     return icon
 
 

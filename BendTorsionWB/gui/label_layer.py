@@ -3,8 +3,8 @@
 lie on each other.
 
 Each label says how much room it names (mm). Before each picture a label is left out when that room
-is smaller on the screen than its text, or when a label before it stands there. All layers of a view
-share the room, the first drawn first.
+is smaller on the screen than its text, or when labels before it stand at every corner of its place
+that it may stand at. All layers of a view share the room, the first drawn first.
 """
 
 from __future__ import annotations
@@ -19,14 +19,24 @@ PER_LETTER, PER_LINE = 0.86, 1.5
 """Width of a letter and height of a line as parts of the size of a text."""
 FRAME = 10.0
 """Pixels of the frame around a text, both sides."""
-CELL = 8.0
-"""Pixels: the screen is shared out in cells this wide and high."""
+CELL = 16.0
+"""Pixels: the screen is shared out in cells this wide and high, to find what stands near."""
+CORNERS = np.array([(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)])
+"""Widths a label stands to the left of its place, heights below it: in the order they are tried."""
+LEFT_OUT = -1
+"""In place of the number of a corner."""
+ALIGNED = tuple(
+    f"horAlignment {('LEFT', 'RIGHT')[int(left)]} vertAlignment {('BOTTOM', 'TOP')[int(below)]}"
+    for left, below in CORNERS
+)
+"""What Coin calls them."""
 
 
 @dataclass(frozen=True, eq=False)
 class Label:
     """A text at a place (3,); room: mm of the model it names; rank: the lower the earlier; normal:
-    (3,) of the face it is on, seen from that side only."""
+    (3,) of the face it is on, seen from that side only; corners: how many of CORNERS it may stand
+    at."""
 
     text: str
     place: np.ndarray
@@ -35,6 +45,7 @@ class Label:
     room: float
     rank: int = 0
     normal: np.ndarray | None = None
+    corners: int = 1
 
     @property
     def pixels(self) -> tuple[float, float]:
@@ -54,7 +65,8 @@ class LabelLayer:
         self.normals = np.array(
             [nothing if label.normal is None else label.normal for label in self.labels]
         ).reshape(-1, 3)
-        self.shown = np.zeros(len(self.labels), bool)
+        self.corners = np.array([label.corners for label in self.labels], int)
+        self.shown = np.full(len(self.labels), LEFT_OUT)
         self.node, self.group = coin.SoSeparator(), coin.SoGroup()
         self.node.renderCaching = coin.SoSeparator.OFF
         before = coin.SoCallback()
@@ -69,16 +81,17 @@ class LabelLayer:
         self.nodes: dict[int, coin.SoSeparator] = {}
 
     def show(self, wanted: np.ndarray) -> None:
-        """Show these labels, (n,) bool; the picture under way is the one to have them, so no other
-        is asked for."""
+        """Show labels at these corners, (n,), or leave them out; the picture under way is the one
+        to have them, so no other is asked for."""
         self.group.enableNotify(False)
         for k in np.nonzero(wanted != self.shown)[0].tolist():
             if k not in self.nodes:
                 self.nodes[k] = node_of(self.labels[k])
-            if wanted[k]:
-                self.group.addChild(self.nodes[k])
-            else:
+            if self.shown[k] != LEFT_OUT:
                 self.group.removeChild(self.nodes[k])
+            if wanted[k] != LEFT_OUT:
+                self.nodes[k].getChild(1).set(ALIGNED[wanted[k]])
+                self.group.addChild(self.nodes[k])
         self.group.enableNotify(True)
         self.shown = wanted
 
@@ -121,32 +134,42 @@ def facing(places: np.ndarray, normals: np.ndarray, matrix: np.ndarray) -> np.nd
     return (depths[1] <= depths[0]) | ~normals.any(axis=1)
 
 
-def thinned(pixels, scale, boxes, room, size, taken: set) -> np.ndarray:
-    """Which labels are shown (n,) bool. pixels: their places; scale: pixels per millimetre; boxes:
-    (n, 2) their widths and heights; room: mm; taken: cells of the view in use, added to."""
+def thinned(pixels, scale, boxes, room, corners, size, taken: dict) -> np.ndarray:
+    """The corner each label stands at (n,), or LEFT_OUT. pixels: their places; scale: pixels per
+    millimetre; boxes: (n, 2) their widths and heights; room: mm; corners: (n,) how many of CORNERS
+    are tried; taken: by cell of the view, the boxes that reach into it, added to."""
     inside = np.all((pixels > -boxes) & (pixels < np.asarray(size)), axis=1)
     wanted = inside & (scale > 0.0) & (room * scale >= boxes.min(axis=1))
-    # A label stands to the right of its place and above it. Far away, where a pixel is beyond
-    # every screen, it is not looked at; within sight these are small whole numbers.
-    reach = np.clip(pixels, -1e6, 1e6)
-    low = np.floor(reach / CELL).astype(int)
-    high = np.floor((reach + boxes) / CELL).astype(int)
-    shown = np.zeros(len(pixels), bool)
+    # Far away, where a pixel is beyond every screen, it is not looked at; within sight these are
+    # small whole numbers.
+    low = np.clip(pixels, -1e6, 1e6)[:, None] - CORNERS * boxes[:, None]
+    sides = np.concatenate([low, low + boxes[:, None]], axis=2)
+    reach = np.floor(sides / CELL).astype(int)
+    shown = np.full(len(pixels), LEFT_OUT)
     for k in np.nonzero(wanted)[0].tolist():
-        (x0, y0), (x1, y1) = low[k].tolist(), high[k].tolist()
-        cells = {(x, y) for x in range(x0, x1 + 1) for y in range(y0, y1 + 1)}
-        if taken.isdisjoint(cells):
-            taken |= cells
-            shown[k] = True
+        for corner in range(corners[k]):
+            x0, y0, x1, y1 = reach[k, corner].tolist()
+            cells = [(x, y) for x in range(x0, x1 + 1) for y in range(y0, y1 + 1)]
+            box = sides[k, corner].tolist()
+            if not any(_overlap(box, one) for cell in cells for one in taken.get(cell, ())):
+                for cell in cells:
+                    taken.setdefault(cell, []).append(box)
+                shown[k] = corner
+                break
     return shown
 
 
+def _overlap(one: Sequence[float], other: Sequence[float]) -> bool:
+    """Whether two boxes (left, lower, right, upper) have more than a side in common."""
+    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
+
+
 class _Picture:
-    """The picture under way: the camera it is seen by, the layers drawn, the cells in use."""
+    """The picture under way: the camera it is seen by, the layers drawn, the boxes in its cells."""
 
     key: bytes = b""
     layers: set = set()
-    taken: set = set()
+    taken: dict = {}
 
 
 def _thin_out(layer: LabelLayer, action) -> None:
@@ -163,9 +186,10 @@ def _thin_out(layer: LabelLayer, action) -> None:
     key = camera.tobytes() + repr(region).encode()
     matrix = model @ camera
     if key != _Picture.key or id(layer) in _Picture.layers:
-        _Picture.key, _Picture.layers, _Picture.taken = key, set(), set()
+        _Picture.key, _Picture.layers, _Picture.taken = key, set(), {}
     _Picture.layers.add(id(layer))
     size = (float(region[0]), float(region[1]))
     pixels, scale = on_screen(layer.places, matrix, size)
     scale = np.where(facing(layer.places, layer.normals, matrix), scale, 0.0)
-    layer.show(thinned(pixels, scale, layer.pixels, layer.room, size, _Picture.taken))
+    given = pixels, scale, layer.pixels, layer.room, layer.corners
+    layer.show(thinned(*given, size, _Picture.taken))

@@ -7,11 +7,11 @@ import FreeCAD
 import FreeCADGui
 
 from BendTorsionWB.core.finding import BendTorsionError, Finding
-from BendTorsionWB.gui import finding_words
 from BendTorsionWB.gui.alignment_picker import AlignmentPicker
 from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.property_form import PropertyForm
 from BendTorsionWB.gui.qt import QtCore, QtWidgets
+from BendTorsionWB.gui.quantity_field import LARGEST
 from BendTorsionWB.gui.task_panel import TaskPanel
 
 translate = FreeCAD.Qt.translate
@@ -49,7 +49,7 @@ class MemberPanel(TaskPanel):
         self.add_form(self.fields)
         self.segments = QtWidgets.QComboBox()
         self.segments.setObjectName("segments")
-        self.segments.currentIndexChanged.connect(lambda _: self._show_segment())
+        self.segments.currentIndexChanged.connect(lambda _: self._choose_segment())
         self.add = QtWidgets.QPushButton(translate("BendTorsion", "Add cut"))
         self.remove = QtWidgets.QPushButton(translate("BendTorsion", "Remove"))
         self.add.clicked.connect(self._add)
@@ -63,7 +63,7 @@ class MemberPanel(TaskPanel):
         self.inner = QtWidgets.QVBoxLayout(self.box)
         self.body.addWidget(self.box)
         self.transition = QtWidgets.QLabel()
-        self.segment_fields = None
+        self.segment_fields, self.shown = None, 0
         self.picking = None
         self.dragger = None
         self._list(segment)
@@ -91,13 +91,21 @@ class MemberPanel(TaskPanel):
             text = translate("BendTorsion", "Transition {length:.0f} mm: {start:.0f} to {end:.0f}")
             text = text.format(length=end - start, start=start, end=end)
         self.transition.setText(text)
+        self.transition.setVisible(bool(text))
         if self.dragger is not None and self.dragger.held is None and not self.closed:
             self.dragger.refresh()
 
-    def show_segment(self, number: int) -> None:
-        """Choose the segment whose fields are shown."""
+    def show_segment(self, number: int) -> bool:
+        """Choose the segment whose fields are shown; False when what was typed for that shown is to
+        be mended first."""
         if number != self.segment:
+            if self.segment_fields.refused:
+                return False
+            self.segments.blockSignals(True)
             self.segments.setCurrentIndex(number - 1)
+            self.segments.blockSignals(False)
+            self._show_segment()
+        return True
 
     def property_of(self, finding: Finding) -> str:
         """Findings about a cut name its segment."""
@@ -117,6 +125,15 @@ class MemberPanel(TaskPanel):
         self.remove.setEnabled(self.member.Segments > 1)
         self._show_segment()
 
+    def _choose_segment(self) -> None:
+        """Show the segment chosen, unless what was typed for that shown is to be mended first."""
+        if self.segment_fields is not None and self.segment_fields.refused:
+            self.segments.blockSignals(True)
+            self.segments.setCurrentIndex(self.shown - 1)
+            self.segments.blockSignals(False)
+        else:
+            self._show_segment()
+
     def _show_segment(self) -> None:
         """Build the fields of the segment chosen."""
         if self.segment_fields is not None:
@@ -133,8 +150,13 @@ class MemberPanel(TaskPanel):
             for name, label in SEGMENT_ROWS
             if k > 1 or closed or name not in OF_A_CUT
         ]
+        self.shown = k
         self.segment_fields = PropertyForm(
-            [self.member], rows, self.changed, {f"Section{k}": "SectionSpec"}
+            [self.member],
+            rows,
+            self.changed,
+            {f"Section{k}": "SectionSpec"},
+            {f"Slope{k}": (0.0, LARGEST)},
         )
         self.watch(self.segment_fields)
         self.box.setTitle(translate("BendTorsion", "Segment {number}").format(number=k))
@@ -173,7 +195,7 @@ class MemberPanel(TaskPanel):
         setattr(self.member, f"CutRatio{k}", 0.0)
         setattr(self.member, f"CutOffset{k}", 0.0)
         setattr(self.member, f"Cut{k}", round(place, 1))
-        self.segment_fields.read()
+        self.segment_fields.read((f"Cut{k}",))
         length = self.member.Axis.Length.Value
         self.slider.blockSignals(True)
         self.slider.setValue(round(STEPS * place / length) if length else 1)
@@ -181,13 +203,15 @@ class MemberPanel(TaskPanel):
         self.moved()
 
     def _add(self) -> None:
-        """Divide the segment shown in its middle."""
+        """Divide the segment shown in its middle, unless what was typed is to be mended first."""
+        if self.segment_fields.refused:
+            return
         from BendTorsionWB.objects.segment_edit import add_cut, middle_of
 
         try:
             new = add_cut(self.member, middle_of(self.member, self.segment))
         except BendTorsionError as problem:
-            self.findings.setText(finding_words.lines(problem))
+            self.tell(problem)
             return
         self._list(new)
         self.changed()
@@ -213,7 +237,7 @@ class MemberPanel(TaskPanel):
         try:
             place = place_on(self.member, point)
         except BendTorsionError as problem:
-            self.findings.setText(finding_words.lines(problem))
+            self.tell(problem)
             return
         self.cut_at(place)
 
@@ -232,10 +256,11 @@ def place_on(member, point) -> float:
 
     from BendTorsionWB.core.axes.axis_places import cut_place
     from BendTorsionWB.objects import axis as axis_object
+    from BendTorsionWB.objects import member as member_object
     from BendTorsionWB.objects.proxy import linked
 
-    core = axis_object.value(linked(member, "Axis", "Axis"))
-    return round(float(cut_place(core, point=np.array(tuple(point), float))), 1)
+    core, at = axis_object.value(linked(member, "Axis", "Axis")), np.array(tuple(point), float)
+    return round(float(cut_place(core, point=at, reach=member_object.reach(member))), 1)
 
 
 class _Pick:

@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import FreeCAD
@@ -12,20 +11,35 @@ import FreeCAD
 from BendTorsionWB.core.members.segment import ALIGN_TO, ALIGNMENTS, TRANSITIONS
 from BendTorsionWB.gui import finding_words
 from BendTorsionWB.gui.joint_words import joints_text, parse_joints
+from BendTorsionWB.gui.typed_quantity import number_of
 
 translate = FreeCAD.Qt.translate
-COLUMNS = (
-    *("member", "segment", "section", "cut", "slope", "transition", "align", "align_to"),
-    *("offset_y", "offset_z", "top", "bottom", "left", "right"),
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+FACES = ("top", "bottom", "left", "right")
+EDITED = (
+    *("section", "cut", "slope", "transition", "align", "align_to", "offset_y", "offset_z"),
+    *FACES,
 )
 """As on the sheets Members and Splits of a schedule."""
-FACES = COLUMNS[-4:]
+LENGTH = QT_TRANSLATE_NOOP("BendTorsion", "length")
+COLUMNS = ("member", "segment", *EDITED, LENGTH)
+"""What is read only at the end stands behind what blocks of a spreadsheet are pasted into."""
 _CHOICES = {
     "align": ("Align", ALIGNMENTS),
     "align_to": ("AlignTo", ALIGN_TO),
     "transition": ("Transition", TRANSITIONS),
 }
 _LENGTHS = {"offset_y": "OffsetY", "offset_z": "OffsetZ"}
+_PROPERTIES = {
+    **{column: (name,) for column, (name, _) in _CHOICES.items()},
+    **{column: (name,) for column, name in _LENGTHS.items()},
+    **{"section": ("Section",), "slope": ("Slope",), "cut": ("Cut", "CutRatio")},
+}
+"""Of a segment, by column."""
+_SIZES = {"polygon": ("Thickness",), "strips": ()}
+"""Of a section by type, what it is told by; the others by h × b × t."""
+_THICKNESSES = ("Thickness", "ThicknessTop", "ThicknessBottom", "ThicknessWeb")
+MOST_NAMED = 8
 
 
 @dataclass(frozen=True)
@@ -56,7 +70,15 @@ class Row:
             return getattr(member, f"{_CHOICES[column][0]}{k}")
         if column in _LENGTHS:
             return _number_text(getattr(member, f"{_LENGTHS[column]}{k}").Value)
+        if column == LENGTH:
+            known = k == 1 and member.Length.Value > 0.0
+            return f"{member.Length.Value:.1f}" if known else ""
         return joints_text(self.plates, column) if self.plates is not None else ""
+
+    def note(self, column: str) -> str:
+        """What is told beside the text of a cell and is no part of it: the sizes of a section."""
+        section = getattr(self.member, f"Section{self.segment}") if column == "section" else None
+        return sizes_text(section) if section is not None else ""
 
     def is_locked(self, column: str) -> bool:
         """Whether the cell has no meaning in this row."""
@@ -66,20 +88,31 @@ class Row:
         """Why the cell has no meaning in this row; empty when it has one."""
         if column in ("member", "segment"):
             return translate("BendTorsion", "names and numbers are those of the model")
+        if column == LENGTH:
+            return length_words()
         if column in ("cut", "slope", "transition") and not self._has_cut():
             return translate("BendTorsion", "the first segment starts with the axis")
         if column in FACES and self.segment > 1:
             return translate("BendTorsion", "joints stand with the first segment")
         if column in FACES and self.plates is None:
             return translate("BendTorsion", "the member has no plates")
+        wanted = [f"{name}{self.segment}" for name in _PROPERTIES.get(column, ())]
+        for path, text in self.member.ExpressionEngine:
+            if path.lstrip(".") in wanted:
+                return translate("BendTorsion", "it follows = {text}").format(text=text)
         return ""
 
     def choices(self, column: str) -> list[str]:
         """The texts the cell can have, where they can be counted."""
         if column == "section":
-            objects = self.member.Document.Objects
-            return [o.Label for o in objects if getattr(o, "BT_Type", "") == "SectionSpec"]
+            return [section.Label for section in self._sections()]
         return list(_CHOICES[column][1]) if column in _CHOICES else []
+
+    def choice_notes(self, column: str) -> list[str]:
+        """What is told beside each of the choices."""
+        if column == "section":
+            return [sizes_text(section) for section in self._sections()]
+        return [""] * len(self.choices(column))
 
     def edits(self, column: str, text: str) -> list[tuple]:
         """What a text means, as (object, property, value); raises ValueError with the reason."""
@@ -89,18 +122,20 @@ class Row:
         if column == "cut":
             return [(self.member, f"{name}{k}", value) for name, value in _cut_of(text).items()]
         if column == "slope":
-            slope = _number(text)
+            slope = number_of(text, "")
             if slope < 0.0:
-                raise ValueError(translate("BendTorsion", "a slope is 0 or more"))
+                words = translate("BendTorsion", "{text} is too little: {limit} or more")
+                raise ValueError(words.format(text=text, limit=0))
             return [(self.member, f"Slope{k}", slope)]
         if column in _CHOICES:
             name, choices = _CHOICES[column]
-            if text not in choices:
+            word = matching(text, choices)
+            if word is None:
                 words = translate("BendTorsion", "{text!r} is none of {choices}")
                 raise ValueError(words.format(text=text, choices=", ".join(choices)))
-            return [(self.member, f"{name}{k}", text)]
+            return [(self.member, f"{name}{k}", word)]
         if column in _LENGTHS:
-            return [(self.member, f"{_LENGTHS[column]}{k}", _number(text or "0"))]
+            return [(self.member, f"{_LENGTHS[column]}{k}", number_of(text or "0", "mm"))]
         values = parse_joints(text)
         auto = [face for face in self.plates.AutoJoints if face != column]
         return [
@@ -123,12 +158,44 @@ class Row:
             return f"{100.0 * ratio:.10g}%"
         return _number_text(getattr(self.member, f"Cut{k}").Value)
 
+    def _sections(self) -> list:
+        objects = self.member.Document.Objects
+        return [obj for obj in objects if getattr(obj, "BT_Type", "") == "SectionSpec"]
+
     def _section(self, label: str):
-        for obj in self.member.Document.Objects:
-            if getattr(obj, "BT_Type", "") == "SectionSpec" and obj.Label == label:
-                return obj
-        words = translate("BendTorsion", "there is no section {name!r}")
-        raise ValueError(words.format(name=label))
+        there = self.choices("section")
+        found = matching(label, there)
+        if found is None:
+            words = translate("BendTorsion", "there is no section {name!r}; there are {names}")
+            names = [*there[:MOST_NAMED], *("…" for _ in there[MOST_NAMED : MOST_NAMED + 1])]
+            raise ValueError(words.format(name=label, names=", ".join(names)))
+        return next(section for section in self._sections() if section.Label == found)
+
+
+def length_words() -> str:
+    """What the column of lengths is."""
+    return translate("BendTorsion", "the length is that of the axis, in mm")
+
+
+def sizes_text(section) -> str:
+    """Height, breadth and thickness of a section, mm, `600 × 500 × 16`; thicknesses of flanges and
+    webs that are others beside it, `16/20`. Empty for one that has no such sizes."""
+    names = _SIZES.get(section.Type, ("Height", "Breadth", "Thickness"))
+    if not names:
+        return ""
+    given = [getattr(section, name).Value for name in _THICKNESSES]
+    thickness = "/".join(_number_text(t) for t in dict.fromkeys(given) if t or t == given[0])
+    sizes = [_number_text(getattr(section, name).Value) for name in names[:-1]]
+    return " × ".join([*sizes, thickness])
+
+
+def matching(text: str, words: Sequence[str]) -> str | None:
+    """The one of some words a text is, whatever its capital letters; None for none, and for several
+    that differ in these only."""
+    if text in words:
+        return text
+    alike = {word for word in words if word.casefold() == text.casefold()}
+    return alike.pop() if len(alike) == 1 else None
 
 
 def rows_of(document) -> list[Row]:
@@ -151,7 +218,7 @@ def faults(rows) -> dict[tuple[int, int], str]:
             words = f"{finding.position} {finding.message}".replace(",", " ").split()
             if finding.severity != "error" or words[:2] != ["segment", str(row.segment)]:
                 continue
-            column = next((word for word in words[2:] if word in COLUMNS[2:]), "")
+            column = next((word for word in words[2:] if word in EDITED), "")
             if column:
                 found.setdefault((r, COLUMNS.index(column)), finding_words.reason(finding))
     return found
@@ -181,26 +248,16 @@ def _joined(former, obj, face: str, value: list[str]) -> list[str]:
 
 def _cut_of(text: str) -> dict[str, object]:
     if text.endswith("%"):
-        ratio = _number(text[:-1]) / 100.0
+        ratio = number_of(text[:-1], "") / 100.0
         if not 0.0 < ratio < 1.0:
-            raise ValueError(translate("BendTorsion", "a cut lies between 0% and 100%"))
+            words = translate("BendTorsion", "{text} does not lie between 0% and 100%")
+            raise ValueError(words.format(text=text))
         return {"CutBy": "place", "CutRatio": ratio}
-    place = _number(text)
+    place = number_of(text, "mm")
     if place <= 0.0:
-        raise ValueError(translate("BendTorsion", "a cut lies behind the start of the axis"))
-    return {"CutBy": "place", "CutRatio": 0.0, "Cut": place}
-
-
-def _number(text: str) -> float:
-    try:
-        value = float(text.replace(",", "."))
-    except ValueError as problem:
-        words = translate("BendTorsion", "{text!r} is not a number")
-        raise ValueError(words.format(text=text)) from problem
-    if not math.isfinite(value):
-        words = translate("BendTorsion", "{text!r} is not a number of use")
+        words = translate("BendTorsion", "{text} does not lie behind the start of the axis, 0 mm")
         raise ValueError(words.format(text=text))
-    return value
+    return {"CutBy": "place", "CutRatio": 0.0, "Cut": place}
 
 
 def _number_text(value: float) -> str:

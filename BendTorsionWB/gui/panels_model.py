@@ -7,6 +7,7 @@ import FreeCAD
 
 from BendTorsionWB.core.finding import Finding
 from BendTorsionWB.core.geometry import surface as core_surface
+from BendTorsionWB.core.tolerances import LARGEST_SIZE, SMALLEST_SIZE
 from BendTorsionWB.gui.alignment_picker import AlignmentPicker
 from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.property_form import PropertyForm
@@ -30,6 +31,12 @@ SECTION_ROWS = (
     ("CornerJoint", QT_TRANSLATE_NOOP("BendTorsion", "Corner joint")),
     ("Material", QT_TRANSLATE_NOOP("BendTorsion", "Steel grade")),
 )
+SIZE_LIMITS = {
+    **dict.fromkeys(("Height", "Breadth", "Thickness"), (SMALLEST_SIZE, LARGEST_SIZE)),
+    **dict.fromkeys(("BreadthBottom", "ThicknessTop", "ThicknessBottom"), (0.0, LARGEST_SIZE)),
+    **dict.fromkeys(("ThicknessWeb", "Gap1", "Gap2"), (0.0, LARGEST_SIZE)),
+}
+"""Of the sizes of a section, mm; those that are 0 where another counts may be 0."""
 NO_BOTTOM = {"BreadthBottom", "CornerJoint"}
 HIDDEN = {
     "i": {"CornerJoint"},
@@ -70,7 +77,8 @@ class SectionPanel(TaskPanel):
     def __init__(self, preview: Preview):
         super().__init__(preview, translate("BendTorsion", "Section"), "BendTorsion_Section")
         rows = [(name, translate("BendTorsion", label)) for name, label in SECTION_ROWS]
-        self.fields = PropertyForm(preview.objects[:1], rows, self.changed)
+        sections = preview.objects[:1]
+        self.fields = PropertyForm(sections, rows, self.changed, limits=SIZE_LIMITS)
         self.add_form(self.fields)
         self.figures = QtWidgets.QLabel()
         self.body.addWidget(self.figures)

@@ -7,7 +7,7 @@ import numpy as np
 from pivy import coin
 
 from BendTorsionWB.core.lofting import MemberRecord
-from BendTorsionWB.gui.label_layer import Label
+from BendTorsionWB.gui.label_layer import CORNERS, Label
 
 MARK_LIFT = 0.15
 """A mark floats above the middle of its plate by this part of the plate's width, so that it is
@@ -29,7 +29,10 @@ def mark_labels(obj, middles) -> list[Label]:
         at, direction = np.array(tuple(place)), np.array(tuple(outward))
         room = solid.BoundBox.DiagonalLength
         lifted = at + MARK_LIFT * direction
-        labels.append(Label(mark, lifted, MARK_COLOURS, 15, room, normal=unit(direction)))
+        normal = unit(direction)
+        # Plates of an edge have their middles close together; every one of them is to be told.
+        corners = len(CORNERS)
+        labels.append(Label(mark, lifted, MARK_COLOURS, 15, room, normal=normal, corners=corners))
     return labels
 
 

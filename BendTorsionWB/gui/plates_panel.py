@@ -3,22 +3,34 @@
 
 from __future__ import annotations
 
+import re
+
 import FreeCAD
 
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.joints.stock import stock_of
 from BendTorsionWB.core.part_tables import PART_COLUMNS, READERS
+from BendTorsionWB.core.plates.diaphragm_input import ENDS
 from BendTorsionWB.core.sections.section import BOX_FACES
-from BendTorsionWB.gui import finding_words
+from BendTorsionWB.core.tolerances import NEAREST_STATIONS
+from BendTorsionWB.gui import finding_words, macro
 from BendTorsionWB.gui.joint_words import joints_text, set_joints
+from BendTorsionWB.gui.member_rows import matching
 from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.property_form import PropertyForm
 from BendTorsionWB.gui.qt import QtWidgets
 from BendTorsionWB.gui.row_table import RowTable
-from BendTorsionWB.gui.task_panel import TaskPanel
+from BendTorsionWB.gui.task_panel import MARGIN, TaskPanel
+from BendTorsionWB.gui.typed_line import TypedLine
+from BendTorsionWB.gui.typed_quantity import number_of
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+UNITS = {"piece": "", "rotation": "deg"}
+"""Of columns of numbers that are no lengths."""
+PLACES = ("s", "from", "to")
+PLAIN = re.compile(r"\d+(\.\d+)?%?")
+"""A place that is kept as it is written."""
 
 
 class PlatesPanel(TaskPanel):
@@ -31,15 +43,19 @@ class PlatesPanel(TaskPanel):
             ("RulePack", translate("BendTorsion", "Rules")),
             ("StationSpacing", translate("BendTorsion", "Measuring lines every")),
         ]
-        self.fields = PropertyForm([self.plates], rows, self.changed)
+        limits = {"StationSpacing": (NEAREST_STATIONS,)}
+        self.fields = PropertyForm([self.plates], rows, self.changed, limits=limits)
         self.add_form(self.fields)
         stock = QtWidgets.QFormLayout()
-        self.stock = QtWidgets.QLineEdit(self.plates.Stock)
+        self.stock = TypedLine(self.plates.Stock)
         self.stock.setObjectName("stock")
-        self.stock.setPlaceholderText("12000x2500; 16 10000x2000; 30 S460 8000x2200")
+        example = translate("BendTorsion", "such as {text}")
+        self.stock.setPlaceholderText(example.format(text="12000x2500; 30 S460 8000x2200"))
         tip = self.plates.getDocumentationOfProperty("Stock")
         self.stock.setToolTip(translate("App::Property", tip))
         self.stock.textEdited.connect(self._stock)
+        self.stock.begun.connect(self._settle)
+        self.stock.editingFinished.connect(self._settle)
         stock.addRow(translate("BendTorsion", "Stock"), self.stock)
         self.body.addLayout(stock)
         box = QtWidgets.QGroupBox(translate("BendTorsion", "Joints of each face"))
@@ -49,13 +65,20 @@ class PlatesPanel(TaskPanel):
         form = QtWidgets.QFormLayout(box)
         self.joints = {}
         for face in faces_of(self.plates):
-            field = QtWidgets.QLineEdit(joints_text(self.plates, face))
+            field = TypedLine(joints_text(self.plates, face))
             field.setObjectName(f"joints {face}")
-            field.setPlaceholderText(translate("BendTorsion", "none; 4000 8000; 0.5; auto"))
+            field.setPlaceholderText(
+                translate("BendTorsion", "none, or such as 4000 8000, 0.5, auto")
+            )
             field.textEdited.connect(lambda text, face=face: self._joints(face, text))
+            field.begun.connect(self._settle)
+            field.editingFinished.connect(self._settle)
             form.addRow(translate("BendTorsion", face), field)
             self.joints[face] = field
         self.body.addWidget(box)
+        # What the fields held before the edit that is under way.
+        self.before: dict[str, str] = {}
+        self._settle()
         self.count = QtWidgets.QLabel()
         self.body.addWidget(self.count)
 
@@ -69,29 +92,42 @@ class PlatesPanel(TaskPanel):
         """Keep the edits; the plates stand for the member from then on."""
         member = self.plates.Member
         done = super().accept()
-        if done and member is not None:
-            member.ViewObject.Visibility = False
+        if done and member is not None and member.ViewObject.Visibility:
+            with macro.recorded(member.Document):
+                macro.put_view(member, "Visibility", False)
         return done
 
     def _stock(self, text: str) -> None:
+        reason = ""
         try:
             stock_of(text)
         except BendTorsionError as problem:
-            self.refuse(self.stock, _told(problem))
-            return
-        self.plates.Stock = text
-        self.refuse(self.stock, "")
-        self.changed()
+            text, reason = self.before["stock"], _told(problem)
+        if text != self.plates.Stock:
+            self.plates.Stock = text
+            self.changed()
+        self.refuse(self.stock, reason)
+
+    def _settle(self) -> None:
+        """A field is left, or its text begun anew: what it holds is what the edit begins with."""
+        if self.stock not in self.refused:
+            self.before["stock"] = self.plates.Stock
+        for face, field in self.joints.items():
+            if field not in self.refused:
+                self.before[face] = joints_text(self.plates, face)
 
     def _joints(self, face: str, text: str) -> None:
-        field = self.joints[face]
+        field, reason = self.joints[face], ""
         try:
             set_joints(self.plates, face, text)
         except ValueError as problem:
-            self.refuse(field, f"{translate('BendTorsion', face)}: {problem}")
-            return
-        self.refuse(field, "")
-        self.changed()
+            reason = f"{translate('BendTorsion', face)}: {problem}"
+            if joints_text(self.plates, face) != self.before[face]:
+                set_joints(self.plates, face, self.before[face])
+                self.changed()
+        if not reason:
+            self.changed()
+        self.refuse(field, reason)
 
 
 class PartsPanel(TaskPanel):
@@ -115,6 +151,7 @@ class PartsPanel(TaskPanel):
         self.rows.resizeColumnsToContents()
         self.rows.edited.connect(lambda _: self._read())
         self.rows.choices = self._choices
+        self.rows.judge = self._reason
         self.body.addWidget(self.rows)
         hint = QtWidgets.QLabel(
             translate(
@@ -133,9 +170,42 @@ class PartsPanel(TaskPanel):
         self.rows.setCurrentCell(0, 0)
         self.rows.setFocus()
 
+    def width(self) -> int:
+        """All columns are to be seen."""
+        self.rows.resizeColumnsToContents()
+        headings = self.rows.verticalHeader().width() + self.rows.horizontalHeader().length()
+        return max(super().width(), headings + MARGIN)
+
     def _choices(self, row: int, column: int) -> list[str]:
         """The faces, where one is asked for."""
         return faces_of(self.plates) if self.columns[column] == "face" else []
+
+    def _cell(self, column: str, text: str) -> float | str:
+        """What a cell means: a number, a place as text, or words; raises ValueError."""
+        from BendTorsionWB.objects import plate_parts
+
+        if column in plate_parts.number_columns(self.table):
+            return number_of(text, UNITS.get(column, "mm")) if text else 0.0
+        if column == "face":
+            return matching(text, faces_of(self.plates)) or text
+        if column not in PLACES or not text:
+            return text
+        if word := matching(text, ENDS):
+            return word
+        if PLAIN.fullmatch(text) or not any(letter.isdigit() for letter in text):
+            # The checks say of other words what a place is.
+            return text
+        if text.endswith("%"):
+            return f"{number_of(text[:-1], ''):.15g}%"
+        return f"{number_of(text, 'mm'):.15g}"
+
+    def _reason(self, row: int, column: int, text: str) -> str:
+        """Why a text cannot be in a cell; empty when it can."""
+        try:
+            self._cell(self.columns[column], text.strip())
+        except ValueError as problem:
+            return str(problem)
+        return ""
 
     def _read(self) -> None:
         """Take the rows over when all can be read; mark those that cannot."""
@@ -144,25 +214,23 @@ class PartsPanel(TaskPanel):
         texts = self.rows.texts()
         self.rows.show_rows(texts)
         self.rows.resizeColumnsToContents()
-        rows, reason = [], ""
+        rows, reasons = [], []
         for r, cells in enumerate(texts):
-            row = dict(zip(self.columns, cells, strict=True))
-            try:
-                numbers = plate_parts.number_columns(self.table)
-                row = {
-                    name: float(text.replace(",", ".") or 0.0) if name in numbers else text
-                    for name, text in row.items()
-                }
-                READERS[self.table](row)
-                rows.append(row)
-            except (ValueError, BendTorsionError) as problem:
-                told = _told(problem)
+            faults = {c: self._reason(r, c, text) for c, text in enumerate(cells)}
+            faults = {c: told for c, told in faults.items() if told}
+            if not faults:
+                row = {name: self._cell(name, text) for name, text in zip(self.columns, cells)}
+                try:
+                    READERS[self.table](row)
+                    rows.append(row)
+                except (ValueError, BendTorsionError) as problem:
+                    faults = dict.fromkeys(range(len(cells)), _told(problem))
+            for c, told in faults.items():
                 line = translate("BendTorsion", "row {number}: {reason}")
-                reason = reason or line.format(number=r + 1, reason=told)
-                for c in range(len(self.columns)):
-                    self.rows.flag(r, c, told)
-        self.refuse(self.rows, reason)
-        if not reason:
+                reasons.append(line.format(number=r + 1, reason=told))
+                self.rows.flag(r, c, told)
+        self.refuse(self.rows, "\n".join(dict.fromkeys(reasons)))
+        if not reasons:
             plate_parts.set_parts(self.plates, self.table, rows)
             self.changed()
 

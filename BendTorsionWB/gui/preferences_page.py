@@ -8,6 +8,7 @@ import FreeCADGui
 
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.patterns.layer_names import layer_names
+from BendTorsionWB.core.tolerances import LARGEST_SIZE, NEAREST_STATIONS, SMALLEST_SIZE
 from BendTorsionWB.gui import ask, finding_words
 from BendTorsionWB.gui.preferences import LAYERS, OTHERS, SECTIONS, SHEETS
 from BendTorsionWB.gui.property_form import FLAWED
@@ -16,6 +17,13 @@ from BendTorsionWB.gui.quantity_field import QuantityField
 
 translate = FreeCAD.Qt.translate
 LEAST = 0.0001
+MOST = 1000.0
+"""Of numbers without a unit."""
+LIMITS = {
+    **{item.name: (SMALLEST_SIZE, LARGEST_SIZE) for item in SECTIONS},
+    "StationSpacing": (NEAREST_STATIONS,),
+}
+"""Of lengths that have some, mm."""
 LANGUAGES = {"en": "English", "zh-CN": "简体中文"}
 """Languages the workbench speaks, by FreeCAD's names, each in itself."""
 GENERAL = "User parameter:BaseApp/Preferences/General"
@@ -39,15 +47,12 @@ class _Page:
                 field = QtWidgets.QComboBox()
                 for choice in item.choices:
                     field.addItem(translate("BendTorsion", choice), choice)
-            elif isinstance(item.default, float) and item.unit:
-                field = QuantityField(item.default, item.unit, LEAST)
+            elif isinstance(item.default, float):
+                limits = LIMITS.get(item.name, (LEAST,)) if item.unit else (0, MOST)
+                field = QuantityField(item.default, item.unit, *limits)
                 if item.default < 1.0:
                     field.setProperty("decimals", 4)
-                line = field.findChild(QtWidgets.QLineEdit)
-                line.textChanged.connect(lambda _, field=field: _mark(field))
-            elif isinstance(item.default, float):
-                field = QtWidgets.QDoubleSpinBox()
-                field.setRange(0.0, 1000.0)
+                field.line.textChanged.connect(lambda _, field=field: _mark(field))
             else:
                 field = QtWidgets.QLineEdit()
                 field.setPlaceholderText(item.default)
@@ -68,20 +73,24 @@ class _Page:
         for item, field in self.fields.values():
             if item.choices:
                 field.setCurrentIndex(field.findData(item.value))
-            elif isinstance(field, QtWidgets.QDoubleSpinBox):
-                field.setValue(item.value)
             elif isinstance(item.default, float):
                 field.setProperty("rawValue", item.value)
             else:
                 field.setText(item.value)
 
     def saveSettings(self):
-        """Keep what the fields hold."""
+        """Keep what the fields hold; what cannot be is told, and the value of before stays."""
+        faults = [
+            f"{translate('BendTorsion', item.label)}: {field.fault()}"
+            for item, field in self.fields.values()
+            if isinstance(field, QuantityField) and field.fault()
+        ]
+        if faults:
+            words = translate("BendTorsion", "Not kept: {reasons}")
+            ask.warn(words.format(reasons="\n".join(faults)))
         for item, field in self.fields.values():
             if item.choices:
                 item.keep(field.currentData())
-            elif isinstance(field, QtWidgets.QDoubleSpinBox):
-                item.keep(field.value())
             elif isinstance(item.default, float):
                 item.keep(float(field.property("rawValue")))
             else:

@@ -12,28 +12,37 @@ from contextlib import suppress
 
 import FreeCADGui
 
-from BendTorsionWB.gui import finding_words, macro, tree
-from BendTorsionWB.gui.recomputing import recompute
+from BendTorsionWB.gui import finding_words, macro, transaction, tree
+from BendTorsionWB.gui.recomputing import recompute, touched_in, untouch
 
 
 class Preview:
     """objects: what is edited. create: makes them when they are new, or changes `objects` by more
     than values: called with a function that makes an object, as `make("make_section", document,
-    "Section")`; returns what is edited from then on. `errors`: those before it."""
+    "Section")`; returns what is edited from then on. fits: who shows it fits the view to it, and so
+    does its macro. `errors`: those before it."""
 
-    def __init__(self, document, name: str, objects: Sequence = (), create: Callable | None = None):
+    def __init__(
+        self,
+        document,
+        name: str,
+        objects: Sequence = (),
+        create: Callable | None = None,
+        fits: bool = False,
+    ):
         # Here, not above: the workbench opens without loading Part.
         from BendTorsionWB.objects.repair import refuse_bare
 
-        self.document, self.name, self.create = document, name, create
+        self.document, self.name, self.create, self.fits = document, name, create, fits
         self.objects, self.made = list(objects), set()
         refuse_bare(objects)
         self.former = [(obj, _inputs(obj), _bound(obj)) for obj in objects]
         there = {obj.Name for obj in document.Objects}
-        self.touched = {obj.Name for obj in document.Objects if "Touched" in obj.State}
+        self.touched = touched_in(document)
         self.modified = FreeCADGui.getDocument(document.Name).Modified
         self.errors = finding_words.errors_of(document.Objects)
-        document.openTransaction(name)
+        self.steps = list(document.UndoNames)
+        transaction.begin(document, name)
         try:
             if create:
                 self.objects = list(create(_make_unrecorded))
@@ -74,16 +83,16 @@ class Preview:
             for k, name, text in bound:
                 macro.bind(objects[k], name, text)
             macro.recompute()
+            if self.fits:
+                macro.seen("first_view", "fit")
 
     def cancel(self) -> None:
         """Take everything back; what was computed and saved before the trial is so after it."""
         tree.TRIED.clear()
-        self.document.abortTransaction()
+        transaction.abort(self.document, self.name)
+        self._undo_committed()
         self._put_back()
-        # Values the abort brings back, results among them, would ask to be computed again.
-        for obj in self.document.Objects:
-            if obj.Name not in self.touched and "Touched" in obj.State:
-                obj.purgeTouched()
+        untouch(self.document, self.touched)
         # FreeCAD 0.20 tells the mark of a changed document to scripts and lets none take it back.
         with suppress(AttributeError):
             FreeCADGui.getDocument(self.document.Name).Modified = self.modified
@@ -93,7 +102,19 @@ class Preview:
         if self.create:
             self.cancel()
         else:
-            self.document.commitTransaction()
+            transaction.commit(self.document, self.name)
+
+    def _undo_committed(self) -> None:
+        """Undo the trial where a transaction begun in another document has made a step of it."""
+        names = list(self.document.UndoNames)
+        above = transaction.begun_elsewhere(names)
+        # FreeCAD keeps so many steps, and drops the oldest.
+        wanted = [*above, self.name, *self.steps][: len(names)]
+        if names in (above, self.steps) or names != wanted:
+            return
+        if all(transaction.undo_empty(self.document) for _ in above):
+            self.document.undo()
+            transaction.forget_undone(self.document, self.name)
 
     def _put_back(self) -> None:
         """Take back what the abort did not: another command had ended the transaction."""

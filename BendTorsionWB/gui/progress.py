@@ -10,6 +10,7 @@ import FreeCAD
 import FreeCADGui
 
 from BendTorsionWB.gui.qt import QtCore, QtWidgets
+from BendTorsionWB.gui.unseen_documents import unseen_documents
 
 translate = FreeCAD.Qt.translate
 
@@ -34,7 +35,12 @@ def progress(title: str, patience: float = 0.0):
     dialog = QtWidgets.QProgressDialog(FreeCADGui.getMainWindow())
     dialog.setWindowTitle(title)
     dialog.setLabelText(title)
-    dialog.setCancelButtonText(translate("BendTorsion", "Cancel"))
+    # An Enter too many does not stop the work; Escape and a click do. The dialog's own button is
+    # not always found: PySide knows widgets by their address, and gives what lived there before.
+    cancel = QtWidgets.QPushButton(translate("BendTorsion", "Cancel"))
+    dialog.setCancelButton(cancel)
+    cancel.setAutoDefault(False)
+    cancel.setDefault(False)
     dialog.setWindowModality(QtCore.Qt.ApplicationModal)
     # It would show itself, patience or none.
     dialog.setMinimumDuration(NEVER)
@@ -62,7 +68,8 @@ def progress(title: str, patience: float = 0.0):
     former = PROGRESS.set(report)
     try:
         report("", 0, 1)
-        yield report
+        with unseen_documents():
+            yield report
     finally:
         PROGRESS.reset(former)
         window.removeEventFilter(stay)

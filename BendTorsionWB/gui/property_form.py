@@ -1,16 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A form of fields for properties of objects: each edit goes to the property at once."""
+"""A form of fields for properties of objects: each edit goes to the property at once, and what
+cannot be takes the property back to what it was before the edit."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from functools import partial
 
 import FreeCAD
 
 from BendTorsionWB.gui.link_picker import LinkPicker
-from BendTorsionWB.gui.qt import QtWidgets
+from BendTorsionWB.gui.qt import QtCore, QtWidgets
 from BendTorsionWB.gui.quantity_field import LARGEST, QuantityField
+from BendTorsionWB.gui.typed_line import TypedLine
+from BendTorsionWB.gui.typed_quantity import expression_value, words_of
 from BendTorsionWB.gui.words import choice_text
 
 translate = FreeCAD.Qt.translate
@@ -19,16 +23,22 @@ UNITS = {
     "App::PropertyDistance": "mm",
     "App::PropertyAngle": "deg",
     "App::PropertyPressure": "MPa",
+    "App::PropertyFloat": "",
 }
-FLAWED = "border: 1px solid #c62828;"
+FIGURES = 3
+"""Decimals of numbers without a unit."""
+FRAME = "QLineEdit, QAbstractItemView {{ border: 1px {style} {colour}; }}"
+"""Around what is written: around a whole spin box or combo box it would squeeze the arrows."""
+FLAWED = FRAME.format(style="solid", colour="#c62828") + "QComboBox, QCheckBox { color: #c62828; }"
 
 
 class PropertyForm(QtWidgets.QWidget):
     """Fields for properties of one object, or of several that get the same value.
 
     rows: (property, label). kinds: the kind of object a link property chooses from. changed: called
-    after each edit. `refused`: by property, why its field holds what the property cannot be, marked
-    at the field; `judged` is called when that changes.
+    after each edit. limits: by property, the least and the most a quantity can be. `refused`: by
+    property, why its field holds what the property cannot be, marked at the field; `judged` is
+    called when that changes.
     """
 
     def __init__(
@@ -37,37 +47,80 @@ class PropertyForm(QtWidgets.QWidget):
         rows: Sequence[tuple[str, str]],
         changed: Callable[[], None],
         kinds=None,
+        limits=None,
     ):
         super().__init__()
         self.judged: Callable[[], None] = lambda: None
         self.objects, self.changed, self.kinds = list(objects), changed, dict(kinds or {})
+        self.limits = dict(limits or {})
+        # By property: what the objects had before the edit that is under way.
+        self.before: dict[str, list[tuple]] = {}
         self.fields: dict[str, QtWidgets.QWidget] = {}
         self.labels: dict[str, QtWidgets.QLabel] = {}
+        # What stands beside the label: the field, or a line that it is part of.
+        self.beside: dict[str, QtWidgets.QWidget] = {}
         self.pickers: dict[str, LinkPicker] = {}
         self.reasons: dict[str, str] = {}
         self.refused: dict[str, str] = {}
+        # Those that followed an expression when the form was made: it rules, not the field.
+        self.ruled: set[str] = set()
         # Fields that lose the focus while they are taken down tell of an edit once more.
         self.ended = False
-        self.layout_ = QtWidgets.QFormLayout(self)
+        # A QFormLayout keeps the spacing of rows that are hidden.
+        self.layout_ = QtWidgets.QGridLayout(self)
+        self.layout_.setColumnStretch(1, 1)
         self.layout_.setContentsMargins(0, 0, 0, 0)
         for name, label in rows:
             self._add(name, label)
 
     def show_rows(self, names) -> None:
         """Show the fields of these properties only."""
-        for name, field in self.fields.items():
-            field.setVisible(name in names)
-            self.labels[name].setVisible(name in names)
-            if name in self.pickers:
-                self.pickers[name].button.setVisible(name in names)
+        for name, label in self.labels.items():
+            for widget in (label, self.beside[name]):
+                widget.setVisible(name in names)
 
-    def read(self) -> None:
-        """Fill the fields from the first object."""
-        for name, field in self.fields.items():
+    def read(self, names: Sequence[str]) -> None:
+        """Fill the fields of these properties from the first object; what was typed into others
+        stays to be mended."""
+        for name in names:
+            field = self.fields[name]
+            self.before.pop(name, None)
             field.blockSignals(True)
             _show(field, getattr(self.objects[0], name))
             field.blockSignals(False)
             self.judge(name, "")
+        self.follow()
+
+    def follow(self) -> None:
+        """Show what expressions have come to."""
+        for name, field in self.fields.items():
+            typed_into = isinstance(field, QuantityField) and field.is_typed_into()
+            if name not in self.refused and not typed_into:
+                self._follow(name)
+
+    def _follow(self, name: str) -> None:
+        field, obj = self.fields[name], self.objects[0]
+        bound = _expression(obj, name)
+        if not bound and name not in self.ruled:
+            return
+        if not bound:
+            self.ruled.discard(name)
+        field.blockSignals(True)
+        if isinstance(field, QuantityField):
+            value = _in_unit(getattr(obj, name), field.property("unit"))
+            field.show_rule(value, bound, name in self.ruled)
+        else:
+            _show(field, getattr(obj, name))
+            field.setEnabled(name not in self.ruled)
+        field.blockSignals(False)
+        if not self.reasons.get(name):
+            field.setToolTip(self._tip(name))
+
+    def _tell_ruled(self, name: str) -> None:
+        """Say at a field that an expression rules why it takes no text."""
+        field = self.fields[name]
+        place = field.mapToGlobal(QtCore.QPoint(0, field.height()))
+        QtWidgets.QToolTip.showText(place, self._tip(name), field)
 
     def flag(self, name: str, reason: str) -> None:
         """Mark a field with what is wrong, or take the mark off; unreadable text comes first."""
@@ -93,14 +146,21 @@ class PropertyForm(QtWidgets.QWidget):
     def _tip(self, name: str) -> str:
         tip = translate("App::Property", self.objects[0].getDocumentationOfProperty(name))
         bound = _expression(self.objects[0], name)
-        return f"{tip}\n= {bound}" if bound else tip
+        if name not in self.ruled:
+            return f"{tip}\n= {bound}" if bound else tip
+        words = translate(
+            "BendTorsion",
+            "it follows = {text}: change what it names, or clear the expression in the property"
+            " editor, tab Data",
+        )
+        return f"{tip}\n{words.format(text=bound)}"
 
     def _add(self, name: str, label: str) -> None:
         obj = self.objects[0]
         edited = partial(self._edited, name)
-        field = _field(obj, name, edited, self.kinds.get(name))
-        # A value that follows an expression is the expression's.
-        field.setEnabled(not _expression(obj, name))
+        field = _field(obj, name, edited, self.kinds.get(name), self.limits.get(name, ()))
+        if _expression(obj, name):
+            self.ruled.add(name)
         field.setObjectName(name)
         self.fields[name] = field
         field.setToolTip(self._tip(name))
@@ -109,84 +169,126 @@ class PropertyForm(QtWidgets.QWidget):
         if obj.getTypeIdOfProperty(name) == "App::PropertyLink":
             picker = LinkPicker(self, name, self.kinds.get(name, ""))
             self.pickers[name] = picker
-            line = QtWidgets.QHBoxLayout()
+            self.beside[name] = QtWidgets.QWidget()
+            line = QtWidgets.QHBoxLayout(self.beside[name])
+            line.setContentsMargins(0, 0, 0, 0)
             line.addWidget(field, 1)
             line.addWidget(picker.button)
-            self.layout_.addRow(self.labels[name], line)
         else:
-            self.layout_.addRow(self.labels[name], field)
-        if obj.getTypeIdOfProperty(name) in UNITS:
-            unit = UNITS[obj.getTypeIdOfProperty(name)]
-            line = field.findChild(QtWidgets.QLineEdit)
-            line.textChanged.connect(lambda text: self._text_changed(name, text, unit))
+            self.beside[name] = field
+        row = self.layout_.rowCount()
+        self.layout_.addWidget(self.labels[name], row, 0)
+        self.layout_.addWidget(self.beside[name], row, 1)
+        if isinstance(field, QtWidgets.QLineEdit | QuantityField):
+            field.editingFinished.connect(lambda: self._leave(name))
+        if isinstance(field, TypedLine | QuantityField):
+            field.begun.connect(lambda: self._settle(name))
+        if isinstance(field, QuantityField):
+            field.line.textChanged.connect(lambda text: self._text_changed(name, text))
+            field.held.connect(lambda: self._tell_ruled(name))
+        self._follow(name)
 
-    def _text_changed(self, name: str, text: str, unit: str) -> None:
+    def _text_changed(self, name: str, text: str) -> None:
         """Judge what is typed into a quantity field; `= …` is an expression."""
         if self.ended:
             return
+        field = self.fields[name]
         if not text.startswith("="):
-            self.judge(name, self.fields[name].fault())
+            if reason := field.fault():
+                self._put_back(name)
+            self.judge(name, reason)
             return
         given = text[1:].strip()
         try:
-            # An expression that means nothing is taken by FreeCAD and fails at every recompute.
-            value = self.objects[0].evalExpression(given)
-            unit_of = getattr(value, "Unit", FreeCAD.Units.Unit())
-            wanted = FreeCAD.Units.Quantity(f"1 {unit}").Unit
-            if unit_of not in (wanted, FreeCAD.Units.Unit()) or isinstance(value, str):
-                raise ValueError(translate("BendTorsion", "it has another unit"))
-            for obj in self.objects:
-                obj.setExpression(name, given)
-        except Exception as problem:  # noqa: BLE001 - FreeCAD raises many kinds for expressions
-            words = translate("BendTorsion", "the expression cannot be read: {reason}")
-            self.judge(name, words.format(reason=words_of(problem)))
+            value = expression_value(self.objects[0], given, field.property("unit"))
+            field.check(value, text)
+        except ValueError as problem:
+            self._put_back(name)
+            self.judge(name, str(problem))
             return
+        self.before.setdefault(name, self._state(name))
+        for obj in self.objects:
+            obj.setExpression(name, given)
         self.judge(name, "")
         self.changed()
 
     def _edited(self, name: str, value) -> None:
         if self.ended:
             return
-        # What is typed takes the place of an expression.
-        for obj in self.objects:
-            if _expression(obj, name):
-                obj.setExpression(name, None)
-        before = [getattr(obj, name) for obj in self.objects]
+        self.before.setdefault(name, self._state(name))
         reader = READERS.get(self.objects[0].getTypeIdOfProperty(name), lambda given: given)
         try:
             value = reader(value)
             for obj in self.objects:
+                # What is typed takes the place of an expression.
+                if _expression(obj, name):
+                    obj.setExpression(name, None)
                 setattr(obj, name, value)
         except (ValueError, TypeError, ArithmeticError) as problem:
-            for obj, former in zip(self.objects, before, strict=True):
-                setattr(obj, name, former)
+            self._put_back(name)
             self.judge(name, words_of(problem))
             return
         self.judge(name, "")
         self.flag(name, "")
         self.changed()
 
+    def _state(self, name: str) -> list[tuple]:
+        """The value and the expression of a property, object by object."""
+        return [(getattr(obj, name), _expression(obj, name)) for obj in self.objects]
 
-def words_of(problem: Exception) -> str:
-    """What an exception of FreeCAD says; some carry a record instead of a text."""
-    given = problem.args[0] if problem.args else ""
-    return str(given.get("sErrMsg", given)) if isinstance(given, dict) else str(given)
+    def _put_back(self, name: str) -> None:
+        """Give the objects what they had before the edit: of a field in error nothing is shown."""
+        before = self.before.get(name)
+        if before is None or before == self._state(name):
+            return
+        for obj, (value, bound) in zip(self.objects, before, strict=True):
+            obj.setExpression(name, bound or None)
+            setattr(obj, name, value)
+        self.changed()
+
+    def _settle(self, name: str) -> None:
+        """A field is left, or its text begun anew: what it holds is what the edit begins with."""
+        if name not in self.refused:
+            self.before.pop(name, None)
+
+    def _leave(self, name: str) -> None:
+        """A field is left: one that was typed an expression into shows its value, too."""
+        if self.ended:
+            # Of an object that was new and is gone.
+            return
+        self._settle(name)
+        field, bound = self.fields[name], _expression(self.objects[0], name)
+        if name in self.refused or not isinstance(field, QuantityField):
+            return
+        if bound and field.text().startswith("="):
+            field.blockSignals(True)
+            # The property has the value after the next recompute only; what the expression names
+            # may have gone meanwhile.
+            with suppress(ValueError):
+                value = expression_value(self.objects[0], bound, field.property("unit"))
+                field.show_rule(value, bound, False)
+            field.blockSignals(False)
+            field.setToolTip(self._tip(name))
 
 
 def _expression(obj, name: str) -> str:
     return next((text for path, text in obj.ExpressionEngine if path.lstrip(".") == name), "")
 
 
-def _field(obj, name: str, edited, kind):
+def _field(obj, name: str, edited, kind, limits):
     """The field for a property by its type."""
     type_, value = obj.getTypeIdOfProperty(name), getattr(obj, name)
     if type_ in UNITS:
         least = 0.0 if type_ == "App::PropertyLength" else -LARGEST
         unit = UNITS[type_]
-        field = QuantityField(_in_unit(value, unit), unit, least)
-        field.valueChanged.connect(
-            lambda _=None: edited(f"{float(field.property('rawValue'))!r} {unit}")
-        )
+        field = QuantityField(_in_unit(value, unit), unit, *(limits or (least,)))
+        if unit:
+            field.valueChanged.connect(
+                lambda _=None: edited(f"{float(field.property('rawValue'))!r} {unit}")
+            )
+        else:
+            field.setProperty("decimals", FIGURES)
+            field.valueChanged.connect(edited)
         return field
     if type_ == "App::PropertyEnumeration":
         field = QtWidgets.QComboBox()
@@ -211,15 +313,8 @@ def _field(obj, name: str, edited, kind):
         field.setChecked(value)
         field.toggled.connect(edited)
         return field
-    if type_ == "App::PropertyFloat":
-        field = QtWidgets.QDoubleSpinBox()
-        field.setDecimals(3)
-        field.setRange(-LARGEST, LARGEST)
-        field.setValue(value)
-        field.valueChanged.connect(edited)
-        return field
     if type_ in READERS:
-        field = QtWidgets.QLineEdit(_words(value))
+        field = TypedLine(_words(value))
         field.textEdited.connect(edited)
         return field
     field = QtWidgets.QLineEdit(str(value))
@@ -250,7 +345,7 @@ def _words(value) -> str:
 
 
 def _in_unit(value, unit: str) -> float:
-    return float(value.getValueAs(unit).Value)
+    return float(value.getValueAs(unit).Value) if unit else float(value)
 
 
 def _show(field, value) -> None:
@@ -260,8 +355,6 @@ def _show(field, value) -> None:
         field.setCurrentIndex(max(field.findData(data), 0))
     elif isinstance(field, QtWidgets.QCheckBox):
         field.setChecked(value)
-    elif isinstance(field, QtWidgets.QDoubleSpinBox):
-        field.setValue(value)
     elif isinstance(field, QtWidgets.QLineEdit):
         plain = isinstance(value, str | int)
         field.setText(str(value) if plain else _words(value))

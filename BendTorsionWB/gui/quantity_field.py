@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A field for a quantity: reads units and sums, says what it cannot read, shows lengths in mm.
+"""A field for a quantity: what is typed is judged at once, lengths are shown in mm.
 
 FreeCAD's own loses millimetres above 10 m, leaves the unit behind when Tab selects the number, and
 goes back to the former value in silence when it cannot read what was typed.
@@ -11,18 +11,18 @@ import re
 
 import FreeCAD
 
-from BendTorsionWB.gui.qt import QtCore, QtWidgets
+from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
+from BendTorsionWB.gui.row_table import typed
+from BendTorsionWB.gui.typed_line import TypedLine
+from BendTorsionWB.gui.typed_quantity import SIGNS, number_of
 
 translate = FreeCAD.Qt.translate
 LARGEST = 1e9
 DECIMALS = 2
 IMPERIAL = frozenset({2, 3, 5, 7})
 """FreeCAD's unit schemas of feet and inches; in all others lengths are in mm."""
-SIGNS = {"deg": "°"}
-"""Units that are shown by a sign."""
-SUMMANDS = re.compile(r"[+-]?[^+-]+")
-FACTOR = re.compile(r"([^*/]*[A-Za-z°])\s*([*/].+)")
-"""Of what FreeCAD does not read by itself: `1 m - 35 mm`, `300 mm * 2`."""
+FRAMED = re.compile(r"border: 1px (solid|dashed) (#\w+)")
+PENS = {"solid": QtCore.Qt.SolidLine, "dashed": QtCore.Qt.DashLine}
 SELECTS = (
     QtCore.Qt.TabFocusReason,
     QtCore.Qt.BacktabFocusReason,
@@ -33,25 +33,51 @@ SELECTS = (
 
 
 class QuantityField(QtWidgets.QAbstractSpinBox):
-    """Holds `rawValue`, a number of `unit`, from `minimum` to `maximum`. `valueChanged` tells each
-    new one, while it is typed too; a text that is none leaves it, and `fault` says why."""
+    """Holds `rawValue`, a number of `unit` (empty for none), from `minimum` to `maximum`.
+    `valueChanged` tells each new one, while it is typed too. A text that is none is kept to be
+    mended, `fault` says why, and the value is that of before the text was begun; `begun` tells of
+    each that is typed over all of a former one. One that follows an expression shows it beside its
+    value (`show_rule`); `held` tells of keys for one that cannot be typed over."""
 
     valueChanged = QtCore.Signal(float)
+    begun = QtCore.Signal()
+    held = QtCore.Signal()
 
-    def __init__(self, value: float, unit: str, least: float = -LARGEST):
+    def __init__(self, value: float, unit: str, least: float = -LARGEST, most: float = LARGEST):
         super().__init__()
         self._unit, self._value, self._decimals = unit, float(value), DECIMALS
-        self._least, self._most = least, LARGEST
-        self.lineEdit().textEdited.connect(self._typed)
+        self._least, self._most = least, most
+        self._before, self._unread = self._value, False
+        self._rule = ""
+        self._frame: tuple | None = None
+        # A line of its own: PySide knows widgets by address, and may take one that Qt made for
+        # something else that lived there before.
+        self.line = TypedLine()
+        self.setLineEdit(self.line)
+        self.line.begun.connect(self._begin)
+        self.line.textEdited.connect(self._typed)
         self.editingFinished.connect(self._finished)
         self._show()
 
     def _set_value(self, value: float) -> None:
         changed = value != self._value
-        self._value = float(value)
+        self._value = self._before = float(value)
+        self._unread, self._rule = False, ""
         self._show()
         if changed:
             self.valueChanged.emit(self._value)
+
+    def show_rule(self, value: float, expression: str, fixed: bool) -> None:
+        """Show the value an expression has; an empty one rules no more. fixed: nothing can be typed
+        over it."""
+        self._value = self._before = float(value)
+        self._unread, self._rule = False, expression
+        self.line.setReadOnly(fixed)
+        self._show()
+
+    def is_typed_into(self) -> bool:
+        """Whether it holds a text of the user's that is not settled."""
+        return self.line.isModified()
 
     def _set_decimals(self, count: int) -> None:
         self._decimals = count
@@ -65,7 +91,7 @@ class QuantityField(QtWidgets.QAbstractSpinBox):
 
     def fault(self) -> str:
         """Why what is written is no value of the field; empty when it is."""
-        if not self.lineEdit().isModified():
+        if not self.line.isModified():
             return ""
         try:
             self._read()
@@ -73,14 +99,26 @@ class QuantityField(QtWidgets.QAbstractSpinBox):
             return str(problem)
         return ""
 
+    def before(self) -> float:
+        """What it held before the text was begun."""
+        return self._before
+
+    def check(self, value: float, text: str) -> None:
+        """Raises ValueError with the limit for a value beyond it; text: how it was written."""
+        if value < self._least:
+            words = translate("BendTorsion", "{text} is too little: {limit} or more")
+        elif value > self._most:
+            words = translate("BendTorsion", "{text} is too much: {limit} or less")
+        else:
+            return
+        limit = self._least if value < self._least else self._most
+        limit = f"{limit:.10g} {SIGNS.get(self._unit, self._unit)}".rstrip()
+        raise ValueError(words.format(text=text.strip(), limit=limit))
+
     def _read(self) -> float:
-        text = self.text()
-        value = number_of(text, self._unit, self._factor())
-        if not self._least <= value <= self._most:
-            words = translate("BendTorsion", "{text} is not between {least:g} and {most:g} {unit}")
-            raise ValueError(
-                words.format(text=text, least=self._least, most=self._most, unit=self._unit)
-            )
+        text, point = self.text(), QtCore.QLocale().decimalPoint()
+        value = number_of(text, self._unit, self._factor(), point)
+        self.check(value, text)
         return value
 
     def _quantity(self):
@@ -88,32 +126,47 @@ class QuantityField(QtWidgets.QAbstractSpinBox):
 
     def _factor(self) -> float:
         """How many of `unit` a number without one means."""
-        if not _imperial():
+        if not self._in_feet():
             return 1.0
         internal = FreeCAD.Units.Quantity(f"1 {self._unit}").Value
         return float(self._quantity().getUserPreferred()[1]) / internal
 
     def _show(self) -> None:
-        if _imperial():
-            self.lineEdit().setText(self._quantity().UserString)
-            return
-        words = QtCore.QLocale()
-        words.setNumberOptions(QtCore.QLocale.OmitGroupSeparator)
-        number = words.toString(self._value, "f", self._decimals)
-        self.lineEdit().setText(f"{number} {SIGNS.get(self._unit, self._unit)}")
+        if self._in_feet():
+            text = self._quantity().UserString
+        else:
+            words = QtCore.QLocale()
+            words.setNumberOptions(QtCore.QLocale.OmitGroupSeparator)
+            number = words.toString(self._value, "f", self._decimals)
+            text = f"{number} {SIGNS.get(self._unit, self._unit)}".rstrip()
+        self.line.setText(f"{text}   (= {self._rule})" if self._rule else text)
+        if self._rule:
+            # The value is what must be seen where both have no room.
+            self.line.setCursorPosition(0)
+
+    def _in_feet(self) -> bool:
+        """Whether FreeCAD shows the unit in that of another system."""
+        return bool(self._unit) and FreeCAD.Units.getSchema() in IMPERIAL
+
+    def _begin(self) -> None:
+        if not self._unread:
+            self._before = self._value
+            self.begun.emit()
 
     def _typed(self, _) -> None:
+        mended, self._unread, self._rule = self._unread, False, ""
         try:
             value = self._read()
         except ValueError:
-            return
-        if value != self._value:
+            value, mended, self._unread = self._before, False, True
+        if value != self._value or mended:
             self._value = value
             self.valueChanged.emit(value)
 
     def _finished(self) -> None:
         """Show what was read; a text that cannot be read stays, to be mended."""
-        if self.lineEdit().isModified() and not self.fault():
+        if self.line.isModified() and not self.fault():
+            self._before = self._value
             self._show()
 
     def stepBy(self, steps):
@@ -122,14 +175,52 @@ class QuantityField(QtWidgets.QAbstractSpinBox):
         self.selectAll()
 
     def stepEnabled(self):
-        """Called by Qt: both ways."""
-        return self.StepUpEnabled | self.StepDownEnabled
+        """Called by Qt: both ways, or none."""
+        # Of the class: with PySide6 an object does not have them.
+        steps = QtWidgets.QAbstractSpinBox
+        if self.line.isReadOnly():
+            return steps.StepNone
+        return steps.StepUpEnabled | steps.StepDownEnabled
+
+    def keyPressEvent(self, event):
+        """Keys that would write into what cannot be typed over are told of."""
+        writes = typed(event) or event.matches(QtGui.QKeySequence.Paste)
+        erases = event.key() in (QtCore.Qt.Key_Delete, QtCore.Qt.Key_Backspace)
+        if self.line.isReadOnly() and (writes or erases):
+            self.held.emit()
+            event.accept()
+        else:
+            super().keyPressEvent(event)
 
     def focusInEvent(self, event):
         """All that is written is selected when the field is come to by keys."""
         super().focusInEvent(event)
         if event.reason() in SELECTS:
             self.selectAll()
+
+    def changeEvent(self, event):
+        """The frame of a style sheet for what is written is drawn by the field itself: Qt draws
+        none in a spin box, and one around it would squeeze the arrows."""
+        # PySide knows events by their address, and gives what lived there before.
+        if not isinstance(event, QtCore.QEvent):
+            return
+        super().changeEvent(event)
+        if event.type() == QtCore.QEvent.StyleChange:
+            found = FRAMED.search(self.styleSheet())
+            self._frame = (PENS[found[1]], QtGui.QColor(found[2])) if found else None
+            self.update()
+
+    def paintEvent(self, event):
+        """With the frame, if there is one."""
+        super().paintEvent(event)
+        if self._frame is None:
+            return
+        painter = QtGui.QPainter(self)
+        style, colour = self._frame
+        painter.setPen(QtGui.QPen(colour, 1, style))
+        # Not at the very edge, which a screen of another scale cuts off.
+        painter.drawRect(self.rect().adjusted(1, 1, -2, -2))
+        painter.end()
 
     def sizeHint(self):
         """Room for a length of a building and the buttons."""
@@ -142,61 +233,3 @@ class QuantityField(QtWidgets.QAbstractSpinBox):
     def minimumSizeHint(self):
         """The same: a number that is cut off is another."""
         return self.sizeHint()
-
-
-def number_of(text: str, unit: str, plain: float = 1.0) -> float:
-    """The number of `unit` a text means, `0.5 m`, `2 * 325 mm` or `600`; plain: what a number
-    without a unit is multiplied by. Raises ValueError, saying why, for what is none."""
-    if not text.strip():
-        raise ValueError(translate("BendTorsion", "a value is missing"))
-    wanted = FreeCAD.Units.Quantity(f"1 {unit}").Unit
-    read = _quantity_of(text)
-    if read is None or read.Unit not in (wanted, FreeCAD.Units.Unit()):
-        # What was typed before the unit that stood there, with a unit of its own.
-        rest = text.rstrip()
-        sign = next((one for one in (unit, SIGNS.get(unit)) if one and rest.endswith(one)), None)
-        typed = _quantity_of(rest[: -len(sign)]) if sign else None
-        if typed is not None and typed.Unit == wanted:
-            read = typed
-    if read is None:
-        raise ValueError(translate("BendTorsion", "{text} cannot be read").format(text=text))
-    if read.Unit == wanted:
-        return float(read.getValueAs(unit).Value)
-    if read.Unit != FreeCAD.Units.Unit():
-        raise ValueError(
-            translate("BendTorsion", "{text} has another unit than {unit}").format(
-                text=text, unit=unit
-            )
-        )
-    return float(read.Value) * plain
-
-
-def _quantity_of(text: str):
-    """What FreeCAD reads, or a sum of such; None when it is neither."""
-    text = text.replace(",", ".")
-    parts = [text]
-    while True:
-        try:
-            read = [_term(part) for part in parts]
-            return sum(read[1:], read[0])
-        except (ValueError, ArithmeticError):
-            if len(parts) > 1:
-                return None
-            parts = SUMMANDS.findall(text)
-            if len(parts) < 2:
-                return None
-
-
-def _term(text: str):
-    """A quantity with its unit at the end, as FreeCAD reads it, or before a factor."""
-    try:
-        return FreeCAD.Units.Quantity(text)
-    except ValueError:
-        split = FACTOR.fullmatch(text)
-        if split is None:
-            raise
-        return FreeCAD.Units.Quantity(split[1]) * FreeCAD.Units.Quantity(f"1 {split[2]}")
-
-
-def _imperial() -> bool:
-    return FreeCAD.Units.getSchema() in IMPERIAL

@@ -38,11 +38,8 @@ def recompute_each(document, progress: Callable[[str, int, int], None]) -> None:
         waiting = [obj for obj in _touched(document) if obj.Name not in done]
         if not waiting:
             break
-        what = ""
         for count, obj in enumerate(waiting):
-            # Views and templates of pages have no label of their own.
-            what = obj.Label if obj.Label != obj.Name else what
-            progress(what, count, len(waiting))
+            progress(obj.Label, count, len(waiting))
             obj.recompute()
             obj.purgeTouched()
             done.add(obj.Name)
@@ -50,11 +47,24 @@ def recompute_each(document, progress: Callable[[str, int, int], None]) -> None:
     recompute(document)
 
 
+def touched_in(document) -> set[str]:
+    """Names of the objects that ask to be computed."""
+    return {obj.Name for obj in document.Objects if "Touched" in obj.State}
+
+
+def untouch(document, but: set[str]) -> None:
+    """Let no object ask to be computed but those named: values that are brought back, results among
+    them, ask for it though they are as they were computed."""
+    for name in touched_in(document) - but:
+        document.getObject(name).purgeTouched()
+
+
 def _touched(document) -> list:
     """What is to be computed, each after what it depends on."""
     names = set()
-    for obj in document.Objects:
-        if "Touched" in obj.State and obj.Name not in names:
+    for name in touched_in(document):
+        if name not in names:
+            obj = document.getObject(name)
             names.update(one.Name for one in (obj, *obj.InListRecursive))
     return [obj for obj in reversed(document.TopologicalSortedObjects) if obj.Name in names]
 

@@ -12,6 +12,9 @@ from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
 
 translate = FreeCAD.Qt.translate
 BAD = "#d9534f"
+NOTE, CHOICE = QtCore.Qt.UserRole, QtCore.Qt.UserRole + 1
+"""Where a cell keeps what is told beside its text; where a line of a list has what is typed."""
+ENTER = (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter)
 
 
 def typed(event) -> bool:
@@ -26,8 +29,10 @@ class RowTable(QtWidgets.QTableWidget):
     them, and for cells beyond the table, go to `left_out` likewise.
 
     judge: (row, column, text) -> why a text cannot be, told while it is typed. choices: (row,
-    column) -> the texts that can be, offered while one is typed. keys: what keys do in the table,
-    kept from FreeCAD's shortcuts: Del would delete what is selected in the tree.
+    column) -> the texts that can be, offered while one is typed; choice_notes: likewise, what is
+    told beside each. keys: what keys do in the table,
+    kept from FreeCAD's shortcuts: Del would delete what is selected in the tree. Enter takes what
+    is typed and goes down, with Shift up.
     """
 
     edited = QtCore.Signal(object)
@@ -43,6 +48,7 @@ class RowTable(QtWidgets.QTableWidget):
         self.cellChanged.connect(self._typed)
         self.judge: Callable[[int, int, str], str] = lambda row, column, text: ""
         self.choices: Callable[[int, int], list[str]] = lambda row, column: []
+        self.choice_notes: Callable[[int, int], list[str]] = lambda row, column: []
         self.setItemDelegate(_Cell(self))
         self.keys: list[tuple[QtGui.QKeySequence, Callable[[], None]]] = [
             *((key, self.copy) for key in QtGui.QKeySequence.keyBindings(QtGui.QKeySequence.Copy)),
@@ -87,6 +93,16 @@ class RowTable(QtWidgets.QTableWidget):
         ]
         return [row for row in rows if any(row)]
 
+    def note_beside(self, column: int) -> None:
+        """Let the cells of a column tell what `note` is given beside their text."""
+        self.setItemDelegateForColumn(column, _NotedCell(self))
+
+    def note(self, row: int, column: int, note: str) -> None:
+        """Tell something beside the text of a cell that is no part of it: not copied, not typed."""
+        self.blockSignals(True)
+        self.item(row, column).setData(NOTE, note)
+        self.blockSignals(False)
+
     def flag(self, row: int, column: int, reason: str) -> None:
         """Mark a cell as bad, with the reason as its tooltip."""
         self.blockSignals(True)
@@ -123,6 +139,12 @@ class RowTable(QtWidgets.QTableWidget):
         held = int(getattr(modifiers, "value", modifiers))
         pressed = QtGui.QKeySequence(held | int(event.key()))
         return next((action for key, action in self.keys if key == pressed), None)
+
+    def go(self, down: int) -> None:
+        """To the cell so many rows below; stays where there is none."""
+        row, column = self.currentRow() + down, self.currentColumn()
+        if 0 <= row < self.rowCount():
+            self.setCurrentCell(row, column)
 
     def clear_cells(self) -> None:
         """Empty the selected cells."""
@@ -225,22 +247,46 @@ class _Cell(QtWidgets.QStyledItemDelegate):
         editor = QtWidgets.QLineEdit(parent)
         choices = self.table.choices(index.row(), index.column())
         if choices:
-            completer = QtWidgets.QCompleter(choices, editor)
+            completer = QtWidgets.QCompleter(editor)
+            notes = self.table.choice_notes(index.row(), index.column()) or [""] * len(choices)
+            lines = [_beside(*pair) for pair in zip(choices, notes, strict=True)]
+            model = QtGui.QStandardItemModel(completer)
+            for choice, line in zip(choices, lines, strict=True):
+                item = QtGui.QStandardItem(line)
+                item.setData(choice, CHOICE)
+                model.appendRow(item)
+            completer.setModel(model)
+            completer.setCompletionRole(CHOICE)
             completer.setCompletionMode(QtWidgets.QCompleter.UnfilteredPopupCompletion)
             completer.setCaseSensitivity(QtCore.Qt.CaseInsensitive)
             popup = completer.popup()
-            widest = max(map(popup.fontMetrics().horizontalAdvance, choices))
+            widest = max(map(popup.fontMetrics().horizontalAdvance, lines))
             popup.setMinimumWidth(widest + 3 * popup.fontMetrics().height())
             editor.setCompleter(completer)
-            # While its list is open, Enter passes by Qt's own way to end the editing.
+            # While its list is open, Enter comes from there.
             editor.returnPressed.connect(lambda: self._leave(editor))
         at = (index.row(), index.column())
         editor.textChanged.connect(lambda text: self._judge(editor, at, text))
         return editor
 
+    def eventFilter(self, editor, event):
+        """Called by Qt before the editor has the event: Enter ends the editing and goes on."""
+        # PySide knows events by their address, and gives what lived there before.
+        if not isinstance(event, QtCore.QEvent):
+            return False
+        if event.type() == QtCore.QEvent.KeyPress and event.key() in ENTER:
+            self._leave(editor)
+            return True
+        return super().eventFilter(editor, event)
+
     def _leave(self, editor) -> None:
+        up = QtWidgets.QApplication.keyboardModifiers() & QtCore.Qt.ShiftModifier
+        if editor.completer() is not None:
+            # Keys that come while the text is taken would be the list's.
+            editor.completer().popup().hide()
         self.commitData.emit(editor)
         self.closeEditor.emit(editor, QtWidgets.QAbstractItemDelegate.NoHint)
+        self.table.go(-1 if up else 1)
 
     def _judge(self, editor, at, text: str) -> None:
         reason = self.table.judge(*at, text)
@@ -252,3 +298,16 @@ class _Cell(QtWidgets.QStyledItemDelegate):
             QtWidgets.QToolTip.showText(place, reason, editor)
         else:
             QtWidgets.QToolTip.hideText()
+
+
+class _NotedCell(_Cell):
+    """A cell that tells something beside its text."""
+
+    def initStyleOption(self, option, index):
+        """Called by Qt before a cell is drawn or measured."""
+        super().initStyleOption(option, index)
+        option.text = _beside(option.text, index.data(NOTE))
+
+
+def _beside(text: str, note: str | None) -> str:
+    return f"{text}   ({note})" if note else text

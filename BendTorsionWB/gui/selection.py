@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 
 import FreeCAD
 import FreeCADGui
 
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.gui.chains import chains
+from BendTorsionWB.gui.containers import free_edges, opened
 from BendTorsionWB.gui.tree import LINKED_ABOVE
 
 translate = FreeCAD.Qt.translate
@@ -26,13 +28,15 @@ _CHAIN = {
 @dataclass(frozen=True)
 class Picked:
     """A selection: faces and curves as (object, names), one entry per surface and per chain of
-    curves; points; BendTorsion objects in the order picked; plain shapes with nothing of these."""
+    curves; points; BendTorsion objects in the order picked; objects with nothing of these; inside:
+    curves of whole shapes that have faces, too."""
 
     faces: tuple[tuple, ...] = ()
     curves: tuple[tuple, ...] = ()
     points: tuple[tuple[float, float, float], ...] = ()
     ours: tuple = ()
     others: tuple = ()
+    inside: tuple[tuple, ...] = ()
 
     def of_kind(self, kind: str) -> list:
         """BendTorsion objects of a kind."""
@@ -47,11 +51,12 @@ def picked() -> Picked:
 def sort(items) -> Picked:
     """Sort FreeCAD selection objects (`Object`, `SubElementNames`) in the order picked.
 
-    A whole shape with faces is one surface, one without is a curve for each chain of its edges.
+    A whole shape with faces is one surface, one without is a curve for each chain of its edges. A
+    part or a group is what it holds, and nothing where any of that is picked with it.
     """
-    faces, curves, points, ours, others = [], [], [], [], []
-    for item in items:
-        obj, names = item.Object, [name for name in item.SubElementNames if name]
+    faces, curves, points, ours, others, inside = [], [], [], [], [], []
+    picks = [(item.Object, [name for name in item.SubElementNames if name]) for item in items]
+    for obj, names in opened(picks):
         if hasattr(obj, "BT_Type"):
             ours.append(obj)
             continue
@@ -62,6 +67,8 @@ def sort(items) -> Picked:
         if not names:
             if shape.Faces:
                 faces.append((obj, ""))
+                if free := free_edges(shape):
+                    inside += [(obj, chain) for chain in chains(shape, free)]
             elif shape.Edges:
                 curves += [(obj, chain) for chain in chains(shape)]
             elif shape.Vertexes:
@@ -76,21 +83,40 @@ def sort(items) -> Picked:
         points += [
             tuple(shape.getElement(name).Point) for name in names if name.startswith("Vertex")
         ]
-    return Picked(tuple(faces), tuple(curves), tuple(points), tuple(ours), tuple(others))
+    return Picked(*map(tuple, (faces, curves, points, ours, others, inside)))
 
 
 def surface_and_curves(given: Picked):
-    """One surface, a Surface object or (object, names), and its curves, each (object, names).
+    """One surface, a Surface object or (object, names), and its curves, each (object, names): those
+    picked, else those of the shape the surface is the faces of.
 
-    Raises BendTorsionError (`selection`) that says what is missing or too much.
+    Raises BendTorsionError (`selection`) that says what is missing or too much, and what of the
+    selection is neither.
     """
     surfaces = [*given.of_kind("Surface"), *given.faces]
+    curves = given.curves or given.inside
+    neither = ", ".join(obj.Label for obj in given.others)
     if len(surfaces) != 1:
         words = translate("BendTorsion", "{count} faces are selected, one is needed")
-        raise refusal(words.format(count=len(surfaces)), FACE_AND_CURVES)
-    if not given.curves:
-        raise refusal(QT_TRANSLATE_NOOP("BendTorsion", "no curve is selected"), FACE_AND_CURVES)
-    return surfaces[0], given.curves
+        told = words.format(count=len(surfaces))
+        names = ", ".join(map(_name, surfaces)) or neither
+    elif not curves:
+        told = translate("BendTorsion", "no curve is selected")
+        names = ", ".join([_name(surfaces[0]), *filter(None, [neither])])
+    else:
+        return surfaces[0], curves
+    if names:
+        told = translate("BendTorsion", "{told} (selected: {names})").format(told=told, names=names)
+    raise refusal(told, FACE_AND_CURVES)
+
+
+def _name(surface) -> str:
+    """A Surface, or picked faces, as the tree and the status bar name them."""
+    if not isinstance(surface, tuple):
+        return surface.Label
+    obj, names = surface
+    own = [names] if isinstance(names, str) else names
+    return ", ".join(f"{obj.Label}.{name}" if name else obj.Label for name in own)
 
 
 def surface_of(face: tuple):
@@ -171,6 +197,14 @@ def only(items: list, words: str, mend: str):
         things = translate("BendTorsion", words)
         raise refusal(told.format(count=len(items), things=things), mend)
     return items[0]
+
+
+def refuse_split(document) -> None:
+    """Raises BendTorsionError, naming the documents to open, for the one of a split model."""
+    from BendTorsionWB.exchange.linked_documents import refuse_linked
+
+    if document.FileName:
+        refuse_linked(Path(document.FileName))
 
 
 def refusal(message: str, mend: str) -> BendTorsionError:

@@ -70,7 +70,7 @@ class SplitPanel(TaskPanel):
         self.place = QuantityField(0.0, "mm", 0.0)
         self.place.setObjectName("place")
         self.place.setMinimumWidth(170)
-        self.place.findChild(QtWidgets.QLineEdit).textChanged.connect(self._typed)
+        self.place.line.textChanged.connect(self._typed)
         line = QtWidgets.QHBoxLayout()
         line.addWidget(self.which, 1)
         line.addWidget(self.place, 1)
@@ -87,6 +87,12 @@ class SplitPanel(TaskPanel):
         self.made = None
         self.length = 0.0
         self.focus: tuple[str, int] | None = None
+        self.placed: tuple[str, int] | None = None
+
+    def show(self) -> None:
+        """Open it; labels have their colours from where they stand."""
+        super().show()
+        self._draw()
 
     def show_findings(self) -> None:
         """Draw the strips again with what is found."""
@@ -183,36 +189,36 @@ class SplitPanel(TaskPanel):
         self.focus = face, k
         text = translate("BendTorsion", "{face}: joint {number} at")
         self.which.setText(text.format(face=translate("BendTorsion", face), number=k + 1))
-        self._show_place(self.joints[face][k])
+        other, self.placed = self.placed != self.focus, self.focus
+        self._show_place(self.joints[face][k], other)
         self.verdict.setText("<br>".join(map(_margin_line, self.margins(face, k))))
 
-    def _show_place(self, s: float) -> None:
+    def _show_place(self, s: float, other: bool) -> None:
+        """Show a place, of another joint than before in place of any text; a text that is none
+        stays with its own."""
         self.place.setEnabled(True)
-        if self.place.hasFocus() or self.place.findChild(QtWidgets.QLineEdit).hasFocus():
+        if self.place.hasFocus() or self.place.line.hasFocus():
             return
-        if abs(float(self.place.property("rawValue")) - s) > 0.05:
+        if other if self.place.fault() else abs(self.place.property("rawValue") - s) > 0.05:
             self.place.blockSignals(True)
             self.place.setProperty("rawValue", s)
             self.place.blockSignals(False)
             # From its first figure on: a field that was too narrow once stays scrolled.
-            self.place.findChild(QtWidgets.QLineEdit).home(False)
+            self.place.line.home(False)
 
     def _typed(self, _=None) -> None:
         if self.focus is None or self.closed:
             return
         face, k = self.focus
-        if fault := self.place.fault():
-            self.refuse(self.place, fault)
-            return
-        s = float(self.place.property("rawValue"))
+        fault, s = self.place.fault(), float(self.place.property("rawValue"))
         least, most = self._between(face, k)
-        if not least <= s <= most:
+        if not fault and not least <= s <= most:
             words = translate("BendTorsion", "between its neighbours: {least:.0f} to {most:.0f} mm")
-            self.refuse(self.place, words.format(least=least, most=most))
-            return
-        if self.place in self.refused:
-            self.refuse(self.place, "")
-        if abs(s - self.joints[face][k]) > 0.05:
+            fault, s = words.format(least=least, most=most), self.place.before()
+        if fault or self.place in self.refused:
+            self.refuse(self.place, fault)
+        # Of a place in error nothing is shown: the joint is where it was before it was typed.
+        if abs(s - self.joints[face][k]) > 0.05 and least <= s <= most:
             self.move_joint(face, k, s)
 
     def _write(self, face: str) -> None:
@@ -273,7 +279,8 @@ class SplitPanel(TaskPanel):
             self._summary()
 
     def _draw_row(self, face: str, letter: str, row, plates) -> None:
-        ink = self.form.palette().color(QtGui.QPalette.Text)
+        # As labels are written, in a dark window too.
+        ink = self.scale_note.palette().color(QtGui.QPalette.WindowText)
         name = self.scene.addSimpleText(f"{translate('BendTorsion', face)} {letter}".strip())
         name.setBrush(ink)
         start = row.line(float(row.strip.s[0])).center()

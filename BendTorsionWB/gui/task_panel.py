@@ -3,17 +3,20 @@
 
 from __future__ import annotations
 
+import html
 import time
 from contextlib import suppress
 
 import FreeCAD
 import FreeCADGui
 
-from BendTorsionWB.core.finding import Finding
-from BendTorsionWB.gui import finding_words, resources
+from BendTorsionWB.core.finding import BendTorsionError, Finding
+from BendTorsionWB.gui import finding_words, resources, standard_buttons
+from BendTorsionWB.gui.closing import Closing
+from BendTorsionWB.gui.findings_box import FindingsBox
 from BendTorsionWB.gui.held_commands import HeldCommands
 from BendTorsionWB.gui.preview import Preview
-from BendTorsionWB.gui.property_form import FLAWED
+from BendTorsionWB.gui.property_form import FLAWED, FRAME
 from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
 from BendTorsionWB.gui.recomputing import HeldInput, Stopped, recompute, recompute_each
 
@@ -26,11 +29,11 @@ HEAVY = 1.5
 """Seconds of a preview that waits until the field is left: nobody types on meanwhile."""
 SECONDS_OF = {"PlateSet": 0.25, "PageSymbol": 0.2}
 """What the plates of a member, and a page, are taken to last before a preview is measured."""
-UNSHOWN = "border: 1px dashed #b26a00;"
+UNSHOWN = FRAME.format(style="dashed", colour="#b26a00")
 COLOURS = {"error": "#c62828", "warning": "#b26a00", "note": "#5f7d95"}
 GONE = 200
 """Milliseconds after which FreeCAD has taken a closed panel down."""
-MOST_SHOWN = 8
+MOST_SHOWN = 50
 LIGHTER = 170
 """Per cent of the lightness on a dark ground."""
 MARGIN = 60
@@ -43,13 +46,11 @@ class TaskPanel:
 
     def __init__(self, preview: Preview, title: str, icon: str):
         self.preview = preview
-        self.form = QtWidgets.QWidget()
+        self.form = _Form(self._name_buttons)
         self.form.setWindowTitle(title)
         self.form.setWindowIcon(QtGui.QIcon(resources.icon(icon)))
         self.body = QtWidgets.QVBoxLayout(self.form)
-        self.findings = QtWidgets.QLabel()
-        self.findings.setWordWrap(True)
-        self.findings.setObjectName("findings")
+        self.findings = FindingsBox()
         self.forms = []
         self.refused: dict[QtWidgets.QWidget, str] = {}
         self.timer = QtCore.QTimer()
@@ -73,7 +74,7 @@ class TaskPanel:
         self.show_findings()
         self.held = HeldCommands(self._gone)
         self.escape = EscapeInView(self.preview.document, self.reject)
-        self.observer = _Closing(self)
+        self.observer = Closing(self)
         FreeCAD.addDocumentObserver(self.observer)
         FreeCADGui.Control.showDialog(self)
         QtWidgets.QApplication.instance().focusChanged.connect(self._focus_moved)
@@ -81,6 +82,22 @@ class TaskPanel:
         self._make_room()
         self._name_buttons()
         self.judge()
+        self._take_keyboard()
+        if self._over_view():
+            # The keyboard goes back to the view once the panel has found its place.
+            for pause in (0, GONE):
+                QtCore.QTimer.singleShot(pause, self._take_keyboard)
+
+    def _over_view(self) -> bool:
+        """Whether FreeCAD shows it over the view, as 1.1 does, and not in the window's own side."""
+        dock, window = self._dock(), FreeCADGui.getMainWindow()
+        return dock is not None and window.dockWidgetArea(dock) == QtCore.Qt.NoDockWidgetArea
+
+    def _take_keyboard(self) -> None:
+        """Give the keyboard to the first field, unless one has it."""
+        now = QtWidgets.QApplication.focusWidget()
+        if self.closed or (now is not None and self.form.isAncestorOf(now)):
+            return
         first = next((f for form in self.forms for f in form.fields.values()), None)
         if first is not None:
             first.setFocus()
@@ -88,10 +105,15 @@ class TaskPanel:
     def _make_room(self) -> None:
         """Widen the side of the window when the fields do not fit."""
         dock = self._dock()
-        wanted = self.form.sizeHint().width() + MARGIN
-        if dock is not None and dock.width() < wanted:
+        wanted = self.width() + MARGIN
+        # Over the view it is by itself as wide as its fields need.
+        if dock is not None and dock.width() < wanted and not self._over_view():
             self.width_before = dock.width()
             FreeCADGui.getMainWindow().resizeDocks([dock], [wanted], QtCore.Qt.Horizontal)
+
+    def width(self) -> int:
+        """Pixels the fields ask for."""
+        return self.form.sizeHint().width()
 
     def _dock(self):
         """The dock the panel stands in, or None."""
@@ -126,8 +148,11 @@ class TaskPanel:
 
     def faults(self) -> list[str]:
         """What keeps the panel from OK: fields that hold what cannot be, and errors of what is
-        edited and what follows from it that were not there before: one of two may be mended."""
+        edited and what follows from it that were not there before: one of two may be mended.
+        Errors of what is not computed yet are none: OK computes it first."""
         own = [reason for form in self.forms for reason in form.told()]
+        if self.timer.isActive() or self.unshown is not None:
+            return [*own, *self.refused.values()]
         related = self._related()
         elsewhere = [obj for obj in related if obj not in self.preview.objects]
         told = finding_words.further_errors(related, self.preview.errors, elsewhere)
@@ -146,16 +171,16 @@ class TaskPanel:
 
     def _buttons(self, kind) -> list:
         """The buttons of a kind, OK or Cancel, beside the fields."""
-        dock = self._dock()
-        boxes = dock.findChildren(QtWidgets.QDialogButtonBox) if dock is not None else ()
-        return [box.button(kind) for box in boxes if box.button(kind) is not None]
+        return [box.button(kind) for box in self._boxes() if box.button(kind) is not None]
 
     def _name_buttons(self) -> None:
-        """In the language of the window: Qt's own translations are not on every machine."""
-        for button in self._buttons(QtWidgets.QDialogButtonBox.Ok):
-            button.setText(translate("BendTorsion", "OK"))
-        for button in self._buttons(QtWidgets.QDialogButtonBox.Cancel):
-            button.setText(translate("BendTorsion", "Cancel"))
+        if not self.closed:
+            standard_buttons.name(*self._boxes())
+
+    def _boxes(self) -> list:
+        """What holds OK and Cancel."""
+        dock = self._dock()
+        return dock.findChildren(QtWidgets.QDialogButtonBox) if dock is not None else []
 
     def changed(self) -> None:
         """Recompute soon; edits that follow at once share one recompute. What takes long waits
@@ -169,11 +194,13 @@ class TaskPanel:
             self.show_findings()
         else:
             self.timer.start(DELAY)
+            self.judge()
 
     def moved(self) -> None:
         """Recompute at once: what is dragged or clicked is seen on the way."""
         if not self.closed:
             self.timer.start(PROMPT)
+            self.judge()
 
     def lasts(self) -> float:
         """Seconds a preview takes: as long as the longest so far, or what so many parts may."""
@@ -196,7 +223,7 @@ class TaskPanel:
         """Show what was typed once its field is left, unless for Cancel."""
         if self.closed or self.unshown is None or not isinstance(now, QtWidgets.QWidget):
             return
-        if now in (self.unshown, self.unshown.findChild(QtWidgets.QLineEdit)):
+        if now is self.unshown or self.unshown.isAncestorOf(now):
             return
         if now not in self._buttons(QtWidgets.QDialogButtonBox.Cancel):
             self.timer.start(DELAY)
@@ -233,7 +260,7 @@ class TaskPanel:
 
     def _show_progress(self, what: str, done: int, count: int) -> None:
         words = translate("BendTorsion", "Computing {what}, {done} of {count}; Esc stops")
-        self.findings.setText(words.format(what=what, done=done + 1, count=count))
+        self.findings.tell([words.format(what=what, done=done + 1, count=count)])
 
     def _on_cancel(self, point) -> bool:
         """Whether a point of the screen is on Cancel."""
@@ -247,22 +274,31 @@ class TaskPanel:
             for text in getattr(item, "Findings", ()):
                 found[text] = finding_words.of_text(text)
         findings = sorted(found.values(), key=lambda one: list(COLOURS).index(one.severity))
-        own = [reason for form in self.forms for reason in form.told()] + [*self.refused.values()]
-        lines = [*map(_fault_line, own), *map(_line, findings[:MOST_SHOWN])]
+        own = [reason for form in self.forms for reason in form.told()]
+        own += [line for reason in self.refused.values() for line in reason.splitlines()]
+        lines = [_line("error", html.escape(reason, quote=False)) for reason in own]
+        lines += [
+            _line(one.severity, finding_words.short_line(one)) for one in findings[:MOST_SHOWN]
+        ]
+        severities = ["error"] * len(own) + [one.severity for one in findings]
+        errors = lines[: severities.count("error")]
         if len(findings) > MOST_SHOWN:
-            more = translate("BendTorsion", "and {count} more").format(
-                count=len(findings) - MOST_SHOWN
-            )
-            lines.append(more)
-        if self.unshown is not None:
+            more = translate("BendTorsion", "and {count} more")
+            lines.append(more.format(count=len(findings) - MOST_SHOWN))
+        if self.unshown is not None and not own:
             words = translate(
                 "BendTorsion", "Not shown yet: it takes a while; leave the field (Tab)"
             )
             lines.insert(len(own), words)
-        self.findings.setText("<br>".join(lines))
+        self.findings.tell(lines, finding_words.counts(severities), errors)
         self._flag(findings)
         self._mark_unshown(UNSHOWN)
         self.judge()
+
+    def tell(self, problem: BendTorsionError) -> None:
+        """Say why what was asked for cannot be."""
+        lines = [_line(one.severity, finding_words.short_line(one)) for one in problem.findings]
+        self.findings.tell(lines, errors=lines)
 
     def property_of(self, finding: Finding) -> str:
         """The property a finding is about, when it names one."""
@@ -340,32 +376,20 @@ class TaskPanel:
             form.ended = True
 
 
-class _Closing:
-    """Closes the panel with its document, and with the object it edits."""
+class _Form(QtWidgets.QWidget):
+    """The widget FreeCAD shows."""
 
-    def __init__(self, panel: TaskPanel):
-        self.panel = panel
+    def __init__(self, name_buttons):
+        super().__init__()
+        self.name_buttons = name_buttons
 
-    def slotDeletedDocument(self, document):
-        """Called by FreeCAD before a document goes."""
-        panel = self.panel
-        if document == panel.preview.document and not panel.closed:
-            panel.stop()
-            FreeCADGui.Control.closeDialog()
-            QtCore.QTimer.singleShot(0, lambda: FreeCAD.removeDocumentObserver(self))
-
-    def slotDeletedObject(self, obj):
-        """Called by FreeCAD before an object goes, also when the panel itself takes it back."""
-        panel = self.panel
-        if panel.closed or obj not in panel.preview.objects:
+    def changeEvent(self, event):
+        """Keep the names of the buttons above it."""
+        if not isinstance(event, QtCore.QEvent):
+            # PySide knows events by their address, and gives what lived there before.
             return
-        panel.stop()
-        QtCore.QTimer.singleShot(0, self._object_gone)
-
-    def _object_gone(self) -> None:
-        panel = self.panel
-        panel.closed = False
-        panel._end(panel.preview.leave)
+        super().changeEvent(event)
+        standard_buttons.name_again(event, self.name_buttons)
 
 
 def colour_of(severity: str, widget) -> str:
@@ -375,10 +399,5 @@ def colour_of(severity: str, widget) -> str:
     return (colour.lighter(LIGHTER) if light else colour).name()
 
 
-def _fault_line(reason: str) -> str:
-    return f'<span style="color:{COLOURS["error"]}">&#9679;</span> {reason}'
-
-
-def _line(finding: Finding) -> str:
-    colour = COLOURS[finding.severity]
-    return f'<span style="color:{colour}">&#9679;</span> {finding_words.short_line(finding)}'
+def _line(severity: str, told: str) -> str:
+    return f'<span style="color:{COLOURS[severity]}">&#9679;</span> {told}'

@@ -42,7 +42,7 @@ def children(obj) -> list:
 
 
 def parents(obj) -> list:
-    """The objects above, nearest first."""
+    """The objects above, nearest first, as far as they are part of a document."""
     found = []
     while obj is not None:
         kind = getattr(obj, "BT_Type", "")
@@ -51,9 +51,19 @@ def parents(obj) -> list:
             obj = users[0] if users else None
         else:
             obj = getattr(obj, LINKED_ABOVE[kind], None) if kind in LINKED_ABOVE else None
+        if obj is not None and not _is_in_document(obj):
+            obj = None
         if obj is not None:
             found.append(obj)
     return found
+
+
+def _is_in_document(obj) -> bool:
+    """Whether an object was not taken out with those that link to it, which still do."""
+    try:
+        return bool(obj.Name)
+    except RuntimeError:
+        return False
 
 
 def worst(obj) -> str:

@@ -50,6 +50,9 @@ class EscapeInView(QtCore.QObject):
 
     def eventFilter(self, widget, event):
         """Called by Qt before the view has the event."""
+        # PySide knows events by their address, and gives what lived there before.
+        if not isinstance(event, QtCore.QEvent):
+            return False
         if event.type() != QtCore.QEvent.KeyPress or event.key() != QtCore.Qt.Key_Escape:
             return False
         # Later: what is called takes this filter away.
@@ -87,6 +90,9 @@ class ViewMouse(QtCore.QObject):
 
     def eventFilter(self, widget, event):
         """Called by Qt before the view has the event."""
+        # PySide knows events by their address, and gives what lived there before.
+        if not isinstance(event, QtCore.QEvent):
+            return False
         kind = event.type()
         if kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.ShortcutOverride):
             return event.key() == QtCore.Qt.Key_Escape and self._escape(kind)

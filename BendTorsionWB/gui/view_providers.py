@@ -8,21 +8,34 @@ from contextlib import suppress
 import FreeCAD
 import FreeCADGui
 
-from BendTorsionWB.gui import editors, first_view, icons, legend, member_display, page_drawing, tree
+from BendTorsionWB.gui import (
+    editors,
+    first_view,
+    icons,
+    legend,
+    macro,
+    member_display,
+    page_drawing,
+    tree,
+)
 from BendTorsionWB.gui.qt import QtCore, QtGui
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 # Colour (red, green, blue) and transparency in per cent a new object starts with; the user's from
-# then on.
+# then on. Each stands out at 3:1 or more on white and on the dark themes' ground.
 APPEARANCE = {
-    "Surface": ((0.62, 0.72, 0.80), 75),
+    "Surface": ((0.45, 0.58, 0.70), 75),
     "Member": ((0.45, 0.55, 0.65), 40),
-    "PlateSet": ((0.93, 0.72, 0.26), 0),
-    "Node": ((0.78, 0.2, 0.2), 0),
-    "Unfold": ((0.18, 0.44, 0.69), 0),
+    "PlateSet": ((0.78, 0.52, 0.12), 0),
+    "Node": ((0.85, 0.27, 0.27), 0),
+    "Unfold": ((0.22, 0.50, 0.78), 0),
 }
+AXIS_COLOUR = (0.84, 0.37, 0.0)
+"""Of the line of a new axis, and so of the frames on it."""
+TRANSFORM = 1
+"""FreeCAD's mode of editing in which the mouse moves an object."""
 
 
 HIDDEN_AT_FIRST = ("SectionSpec", "Unfold", "PageOutlines", "AssemblyBed")
@@ -77,6 +90,8 @@ class ViewProvider:
     def attach(self, view):
         """Remember the object; FreeCAD calls this for new and restored objects."""
         self.object = view.Object
+        self.visible, self.is_new = view.Visibility, True
+        QtCore.QTimer.singleShot(0, self._settle)
         present = view.PropertiesList
         for kind, name, group, tooltip in PROPERTIES.get(self.object.BT_Type, ()):
             if name not in present:
@@ -116,6 +131,7 @@ class ViewProvider:
             if not (view.Visibility or obj in _hiding or obj.Document.Restoring):
                 if getattr(view, HIDDEN_BY_ERROR, False):
                     setattr(view, HIDDEN_BY_ERROR, False)
+            self._tell_member(view)
             hide_when_empty(obj)
         if name in ("Visibility", "ShowMarks", "ShowPoints", "ShowFrames", "FrameHeight"):
             self._draw(view)
@@ -127,6 +143,16 @@ class ViewProvider:
         if "ColourBy" in self.object.PropertiesList:
             legend.schedule(self.object.Document)
         return True
+
+    def isShow(self):
+        """Whether the tree shows it as seen: a member by its plates, too, while its own shape is
+        hidden."""
+        obj = getattr(self, "object", None)
+        if obj is None:
+            return False
+        if obj.ViewObject.Visibility or obj.BT_Type != "Member":
+            return obj.ViewObject.Visibility
+        return bool(member_display.plates_shown(obj))
 
     def claimChildren(self):
         """The objects the tree shows below this one."""
@@ -146,7 +172,10 @@ class ViewProvider:
         return True
 
     def setEdit(self, view, mode=0):
-        """Open the task panel; no other mode of editing is known."""
+        """Open the task panel. What is built in its place cannot be moved with the mouse; all other
+        modes of editing are FreeCAD's."""
+        if mode == TRANSFORM and not getattr(self.object.Proxy, "LAID_APART", True):
+            return False
         panel = editors.edit_panel(self.object) if mode == 0 else None
         if panel is None:
             return False if mode == 0 else None
@@ -167,9 +196,7 @@ class ViewProvider:
             return
         for mode, text in member_display.MODES.items():
             action = QtGui.QAction(translate("BendTorsion", text), menu)
-            action.triggered.connect(
-                lambda checked=False, mode=mode: member_display.show_as([self.object], mode)
-            )
+            action.triggered.connect(lambda checked=False, mode=mode: _show_as(self.object, mode))
             menu.addAction(action)
 
     def dumps(self):
@@ -182,6 +209,19 @@ class ViewProvider:
 
     __getstate__ = dumps
     __setstate__ = loads
+
+    def _settle(self) -> None:
+        self.is_new = False
+
+    def _tell_member(self, view) -> None:
+        """Let a member and its plates follow each other, in the view and in the tree."""
+        obj, before, self.visible = self.object, self.visible, view.Visibility
+        if obj.BT_Type == "Member" and obj not in _hiding:
+            member_display.follow(obj, before)
+        if obj.BT_Type == "PlateSet" and obj.Member is not None:
+            # A deletion done again tells of what has no view any more.
+            with suppress(RuntimeError):
+                obj.Member.ViewObject.signalChangeIcon()
 
     def _draw(self, view) -> None:
         """Labels and ribbons beside the shape, made when they are first to be seen."""
@@ -198,6 +238,11 @@ class ViewProvider:
             self.beside = beside_shape.holder(view)
         height = _frame_height(view)
         self.labels = beside_shape.fill(self.beside, self.object, wanted, height)
+
+
+def _show_as(member, mode: str) -> None:
+    with macro.recorded(member.Document):
+        macro.in_window("member_display", "show_as", [member], mode)
 
 
 def _frame_height(view) -> float:
@@ -224,6 +269,8 @@ def attach(obj) -> None:
         colour, transparency = APPEARANCE[obj.BT_Type]
         view.ShapeColor = colour
         view.Transparency = transparency
+    if obj.BT_Type == "Axis":
+        view.LineColor = AXIS_COLOUR
     view.Visibility = _shown(obj)
     paint(obj)
 
@@ -252,10 +299,16 @@ def _follow(document: str, name: str) -> None:
     found = FreeCAD.listDocuments().get(document)
     obj = found.getObject(name) if found is not None else None
     if obj is not None:
+        shown = FreeCADGui.getDocument(document)
+        modified = shown.Modified
         _hiding.append(obj)
         obj.Visibility = obj.ViewObject.Visibility
         obj.ViewObject.show() if obj.Visibility else obj.ViewObject.hide()
         _hiding.remove(obj)
+        # The picture alone: a document that is as it was saved stays so. FreeCAD 0.20 lets no
+        # script take the mark back.
+        with suppress(AttributeError):
+            shown.Modified = modified
 
 
 def _fold(document: str, name: str) -> None:

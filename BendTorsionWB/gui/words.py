@@ -141,8 +141,8 @@ SECTION_TYPES = {
     "i": QT_TRANSLATE_NOOP("BendTorsion", "I section"),
     "tee": QT_TRANSLATE_NOOP("BendTorsion", "T section"),
     "channel": QT_TRANSLATE_NOOP("BendTorsion", "Channel section"),
-    "trapezoid": QT_TRANSLATE_NOOP("BendTorsion", "Box with a narrower or wider bottom"),
-    "polygon": QT_TRANSLATE_NOOP("BendTorsion", "Box with any number of walls"),
+    "trapezoid": QT_TRANSLATE_NOOP("BendTorsion", "Box with inclined webs"),
+    "polygon": QT_TRANSLATE_NOOP("BendTorsion", "Box of many walls"),
     "strips": QT_TRANSLATE_NOOP("BendTorsion", "Free list of plates"),
 }
 """What the codes of section types mean."""

@@ -117,7 +117,7 @@
     </message>
     <message>
         <source>Centre of gravity of each piece, mm</source>
-        <translation>各节段的重心，mm</translation>
+        <translation>各单元的重心，mm</translation>
     </message>
     <message>
         <source>Centroid from the middle of b</source>
@@ -153,11 +153,11 @@
     </message>
     <message>
         <source>Delivery piece of each mark</source>
-        <translation>各编号所属的运输节段</translation>
+        <translation>各编号所属的运输单元</translation>
     </message>
     <message>
         <source>Delivery pieces: number, start and end, mm, and number of parts</source>
-        <translation>运输节段：序号、起点和终点 mm、零件数</translation>
+        <translation>运输单元：序号、起点和终点 mm、零件数</translation>
     </message>
     <message>
         <source>Diaphragms</source>
@@ -233,11 +233,11 @@
     </message>
     <message>
         <source>Faces whose joints are solved by the rule pack, instead of their lists</source>
-        <translation>接缝由规则包求解而不按列表的面</translation>
+        <translation>拼接缝由规则包求解而不按列表的面</translation>
     </message>
     <message>
         <source>Field gap to the next piece, mm</source>
-        <translation>与下一节段的现场间隙，mm</translation>
+        <translation>与下一单元的现场间隙，mm</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -277,7 +277,7 @@
     </message>
     <message>
         <source>From the axis of the member that runs through, along the branch, to the field joint behind a stub</source>
-        <translation>由贯通构件轴线沿支构件到牛腿后的现场接缝</translation>
+        <translation>由贯通构件轴线沿支构件到牛腿后的现场拼接缝</translation>
     </message>
     <message>
         <source>From the middle of the face towards its second edge, mm</source>
@@ -297,7 +297,7 @@
     </message>
     <message>
         <source>Green length at its start, mm</source>
-        <translation>起端余量，mm</translation>
+        <translation>始端余量，mm</translation>
     </message>
     <message>
         <source>Half angle (cone)</source>
@@ -305,7 +305,7 @@
     </message>
     <message>
         <source>Half the height of the down face's edges about the plane, largest of all pieces, mm</source>
-        <translation>朝下面各边相对该平面的高差之半，取各节段最大值，mm</translation>
+        <translation>朝下面各边相对该平面的高差之半，取各单元最大值，mm</translation>
     </message>
     <message>
         <source>Half-axis along x (ellipsoid)</source>
@@ -353,11 +353,11 @@
     </message>
     <message>
         <source>Joints of the face: cumulative ratios (up to 1) or mm from the start</source>
-        <translation>该面的接缝：累计比例（不大于 1）或距始端 mm</translation>
+        <translation>该面的拼接缝：累计比例（不大于 1）或距始端 mm</translation>
     </message>
     <message>
         <source>Joints welded flat, before forming: allowance at the ends; after forming, in the box: spread over the plate</source>
-        <translation>接缝在成形前平焊：加量放在端部；成形后在箱体中焊：加量分布于全板</translation>
+        <translation>拼接缝在成形前平焊：加量放在端部；成形后在箱体中焊：加量分布于全板</translation>
     </message>
     <message>
         <source>Kind of surface</source>
@@ -449,11 +449,11 @@
     </message>
     <message>
         <source>Least distance between the thickness joints of adjacent faces</source>
-        <translation>相邻面变厚接缝之间的最小距离</translation>
+        <translation>相邻面变厚拼接缝之间的最小距离</translation>
     </message>
     <message>
         <source>Least distance of a staggered thickness joint from a fold</source>
-        <translation>错开的变厚接缝到折线的最小距离</translation>
+        <translation>错开的变厚拼接缝到折线的最小距离</translation>
     </message>
     <message>
         <source>Left beyond the end lines at the end of the member, mm</source>
@@ -461,7 +461,7 @@
     </message>
     <message>
         <source>Left beyond the end lines at the start of the member, mm</source>
-        <translation>构件起端端线外的余量，mm</translation>
+        <translation>构件始端端线外的余量，mm</translation>
     </message>
     <message>
         <source>Legs of the corners cut off, mm</source>
@@ -501,7 +501,7 @@
     </message>
     <message>
         <source>Mass of each piece, kg</source>
-        <translation>各节段的质量，kg</translation>
+        <translation>各单元的质量，kg</translation>
     </message>
     <message>
         <source>Material</source>
@@ -525,7 +525,7 @@
     </message>
     <message>
         <source>Model to bed frame of each piece: the sixteen numbers of its matrix, row by row</source>
-        <translation>各节段由模型到胎架坐标系的矩阵：逐行十六个数</translation>
+        <translation>各单元由模型到胎架坐标系的矩阵：逐行十六个数</translation>
     </message>
     <message>
         <source>Moves the cut along the axis</source>
@@ -569,7 +569,7 @@
     </message>
     <message>
         <source>Number of each delivery piece, along +s</source>
-        <translation>各运输节段的序号，沿 +s</translation>
+        <translation>各运输单元的序号，沿 +s</translation>
     </message>
     <message>
         <source>Number of pages</source>
@@ -605,7 +605,7 @@
     </message>
     <message>
         <source>Offsets of the faces' thickness joints: auto, none, or mm such as top=0 left=200</source>
-        <translation>各面变厚接缝的错开：auto、none，或 mm，如 top=0 left=200</translation>
+        <translation>各面变厚拼接缝的错开：auto、none，或 mm，如 top=0 left=200</translation>
     </message>
     <message>
         <source>Openings</source>
@@ -689,11 +689,11 @@
     </message>
     <message>
         <source>Per saddle: piece, label, s, heights of the left and the right seat in mm</source>
-        <translation>每个托架：节段、编号、s、左右支座高度 mm</translation>
+        <translation>每个托架：单元、编号、s、左右支座高度 mm</translation>
     </message>
     <message>
         <source>Pieces</source>
-        <translation>运输节段</translation>
+        <translation>运输单元</translation>
     </message>
     <message>
         <source>Pins</source>
@@ -713,7 +713,7 @@
     </message>
     <message>
         <source>Places of nodes along the axis, which joints keep clear of, mm</source>
-        <translation>沿轴线的节点位置，接缝须避开，mm</translation>
+        <translation>沿轴线的节点位置，拼接缝须避开，mm</translation>
     </message>
     <message>
         <source>Plate thickness where no other is given</source>
@@ -965,7 +965,7 @@
     </message>
     <message>
         <source>The face of each piece that lies down</source>
-        <translation>各节段朝下的面</translation>
+        <translation>各单元朝下的面</translation>
     </message>
     <message>
         <source>The face patterns are seen from and marked on</source>
@@ -1025,7 +1025,7 @@
     </message>
     <message>
         <source>The rules joints are checked by and solved for, and plates formed by</source>
-        <translation>接缝校核与求解以及板件成形所依据的规则</translation>
+        <translation>拼接缝校核与求解以及板件成形所依据的规则</translation>
     </message>
     <message>
         <source>The rules the node is checked by</source>
@@ -1129,7 +1129,7 @@
     </message>
     <message>
         <source>Weld: a seam such as TL, a joint such as T1/T2, a node, a diaphragm such as D1; or joints, nodes, diaphragms, end plates for all of them</source>
-        <translation>焊缝：棱缝如 TL、接缝如 T1/T2、节点、隔板如 D1；或 joints、nodes、diaphragms、end plates 表示全部</translation>
+        <translation>焊缝：棱缝如 TL、拼接缝如 T1/T2、节点、隔板如 D1；或 joints、nodes、diaphragms、end plates 表示全部</translation>
     </message>
     <message>
         <source>What cut files draw of bevelled edges: the edge of the surface laid flat; of the marking face (top); the line where groove and land meet; the outermost line</source>
@@ -1173,7 +1173,7 @@
     </message>
     <message>
         <source>Where it ends; empty: where the next starts, or the member ends</source>
-        <translation>终点；空：下一节段起点或构件终端</translation>
+        <translation>终点；空：下一单元起点或构件终端</translation>
     </message>
     <message>
         <source>Where it is held, as a part of its range (iso-curve)</source>
@@ -1189,7 +1189,7 @@
     </message>
     <message>
         <source>Where it starts: mm or a ratio such as 35%; empty: where the one before ends</source>
-        <translation>起点：mm 或比例如 35%；空：前一节段终点</translation>
+        <translation>起点：mm 或比例如 35%；空：前一单元终点</translation>
     </message>
     <message>
         <source>Where members meet the lower rank runs through</source>
@@ -1261,7 +1261,7 @@
     </message>
     <message>
         <source>direct: the branch is welded to the outer faces; stub: a stub of it, with a field joint at StubLength</source>
-        <translation>direct：支构件焊到外表面；stub：留一段牛腿，在 StubLength 处设现场接缝</translation>
+        <translation>direct：支构件焊到外表面；stub：留一段牛腿，在 StubLength 处设现场拼接缝</translation>
     </message>
     <message>
         <source>edges: both long edges keep their length; energy: least strain with straight lines; elastic: least strain</source>
@@ -1305,7 +1305,7 @@
     </message>
     <message>
         <source>shop or field; empty: field where pieces meet</source>
-        <translation>shop（工厂）或 field（现场）；空：节段相接处为现场</translation>
+        <translation>shop（工厂）或 field（现场）；空：单元相接处为现场</translation>
     </message>
     <message>
         <source>square to the axis; plumb, upright across it; level; plane, by its normal; surface, at a face</source>
@@ -1313,11 +1313,11 @@
     </message>
     <message>
         <source>square, or stepped top=80 bottom=-80; empty: as the next starts</source>
-        <translation>square，或 stepped top=80 bottom=-80；空：同下一节段的起端</translation>
+        <translation>square，或 stepped top=80 bottom=-80；空：同下一单元的始端</translation>
     </message>
     <message>
         <source>square, or stepped top=80 bottom=-80; empty: as the one before ends</source>
-        <translation>square，或 stepped top=80 bottom=-80；空：同前一节段的终端</translation>
+        <translation>square，或 stepped top=80 bottom=-80；空：同前一单元的终端</translation>
     </message>
 </context>
 <context>
@@ -1332,7 +1332,7 @@
     </message>
     <message>
         <source>About where, if they meet twice</source>
-        <translation>大致位置(相交两次时)</translation>
+        <translation>大致位置（相交两次时）</translation>
     </message>
     <message>
         <source>Add cut</source>
@@ -1359,12 +1359,12 @@
         <translation>轴线距曲面不超过</translation>
     </message>
     <message>
-        <source>Box with a narrower or wider bottom</source>
-        <translation>底面较窄或较宽的箱形</translation>
+        <source>Box of many walls</source>
+        <translation>多边形箱形</translation>
     </message>
     <message>
-        <source>Box with any number of walls</source>
-        <translation>任意壁数的箱形</translation>
+        <source>Box with inclined webs</source>
+        <translation>斜腹板箱形</translation>
     </message>
     <message>
         <source>Breadth at the bottom</source>
@@ -1428,7 +1428,7 @@
     </message>
     <message>
         <source>Cut of the end</source>
-        <translation>末端切割</translation>
+        <translation>终端切割</translation>
     </message>
     <message>
         <source>Cut of the start</source>
@@ -1440,11 +1440,11 @@
     </message>
     <message>
         <source>Cut {number}: s = {s:.0f} mm</source>
-        <translation>分段点 {number}:s = {s:.0f} mm</translation>
+        <translation>分段点 {number}：s = {s:.0f} mm</translation>
     </message>
     <message>
         <source>Delivery pieces</source>
-        <translation>运输节段</translation>
+        <translation>运输单元</translation>
     </message>
     <message>
         <source>Development</source>
@@ -1472,7 +1472,7 @@
     </message>
     <message>
         <source>Drag a joint, or move it by the left and right arrow keys (Shift: ten times); up and down choose another, double-click or Ins adds one, Del removes it</source>
-        <translation>拖动接缝,或用左右方向键移动(Shift:十倍);上下键选择另一条,双击或 Ins 添加,Del 删除</translation>
+        <translation>拖动拼接缝，或用左右方向键移动（Shift：十倍）；上下键选择另一条，双击或 Ins 添加，Del 删除</translation>
     </message>
     <message>
         <source>Drag the cut along the axis</source>
@@ -1487,12 +1487,16 @@
         <translation>绘图</translation>
     </message>
     <message>
+        <source>Dropped: {texts}</source>
+        <translation>已丢弃：{texts}</translation>
+    </message>
+    <message>
         <source>EU</source>
         <translation>EU（欧洲）</translation>
     </message>
     <message>
         <source>Each face laid flat; breadths drawn {times:.1f} times as large</source>
-        <translation>各面展开图;宽度放大 {times:.1f} 倍</translation>
+        <translation>各面展开图；宽度放大 {times:.1f} 倍</translation>
     </message>
     <message>
         <source>Edit assembly bed</source>
@@ -1535,6 +1539,10 @@
         <translation>端部落于其上</translation>
     </message>
     <message>
+        <source>Errors: {count}</source>
+        <translation>错误：{count}</translation>
+    </message>
+    <message>
         <source>Example project</source>
         <translation>示例项目</translation>
     </message>
@@ -1544,7 +1552,7 @@
     </message>
     <message>
         <source>Extend the end</source>
-        <translation>末端延长</translation>
+        <translation>终端延长</translation>
     </message>
     <message>
         <source>Extend the start</source>
@@ -1600,11 +1608,11 @@
     </message>
     <message>
         <source>Green at the end, mm</source>
-        <translation>末端余量,mm</translation>
+        <translation>终端余量，mm</translation>
     </message>
     <message>
         <source>Green at the start, mm</source>
-        <translation>起端余量,mm</translation>
+        <translation>始端余量，mm</translation>
     </message>
     <message>
         <source>Height h</source>
@@ -1631,12 +1639,16 @@
         <translation>导入形状</translation>
     </message>
     <message>
+        <source>In error: {cells}</source>
+        <translation>有错误：{cells}</translation>
+    </message>
+    <message>
         <source>Joints of each face</source>
-        <translation>各面的接缝</translation>
+        <translation>各面的拼接缝</translation>
     </message>
     <message>
         <source>Joints welded</source>
-        <translation>接缝焊接</translation>
+        <translation>拼接缝焊接</translation>
     </message>
     <message>
         <source>Joints: {count}, against the rules: {broken}</source>
@@ -1645,6 +1657,10 @@
     <message>
         <source>K</source>
         <translation>K 形</translation>
+    </message>
+    <message>
+        <source>Kept in the member table, not taken: {texts}</source>
+        <translation>保留在构件表中，未采用：{texts}</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -1665,6 +1681,10 @@
     <message>
         <source>Laying flat by</source>
         <translation>展开方式</translation>
+    </message>
+    <message>
+        <source>Left aside, neither faces nor curves: {names}</source>
+        <translation>未采用，既非面也非曲线：{names}</translation>
     </message>
     <message>
         <source>Length error</source>
@@ -1692,7 +1712,7 @@
     </message>
     <message>
         <source>Marked and seen from</source>
-        <translation>划线面(视图方向)</translation>
+        <translation>划线面（视图方向）</translation>
     </message>
     <message>
         <source>Marks on faces</source>
@@ -1724,15 +1744,23 @@
     </message>
     <message>
         <source>New objects start with these. Objects that are there keep their own values, and documents their results.</source>
-        <translation>新对象以这些值开始。已有的对象保留自己的值,文档保留其结果。</translation>
+        <translation>新对象以这些值开始。已有的对象保留自己的值，文档保留其结果。</translation>
     </message>
     <message>
         <source>New sheets and flat patterns start with these; those that are there keep their own.</source>
-        <translation>新图纸和展开图以这些值开始;已有的保留自己的值。</translation>
+        <translation>新图纸和展开图以这些值开始；已有的保留自己的值。</translation>
+    </message>
+    <message>
+        <source>No members yet: {select} makes them, {read} reads them</source>
+        <translation>尚无构件：用“{select}”生成，或用“{read}”读入</translation>
     </message>
     <message>
         <source>Node</source>
         <translation>节点</translation>
+    </message>
+    <message>
+        <source>Not kept: {reasons}</source>
+        <translation>未保存：{reasons}</translation>
     </message>
     <message>
         <source>Not shown yet: it takes a while; leave the field (Tab)</source>
@@ -1741,6 +1769,10 @@
     <message>
         <source>Not taken: {cells}</source>
         <translation>未采用：{cells}</translation>
+    </message>
+    <message>
+        <source>Notes: {count}</source>
+        <translation>提示：{count}</translation>
     </message>
     <message>
         <source>Nothing to repair: every object can be computed</source>
@@ -1792,11 +1824,11 @@
     </message>
     <message>
         <source>Per butt joint, mm</source>
-        <translation>每条对接缝,mm</translation>
+        <translation>每条对接缝，mm</translation>
     </message>
     <message>
         <source>Per diaphragm, mm</source>
-        <translation>每块隔板,mm</translation>
+        <translation>每块隔板，mm</translation>
     </message>
     <message>
         <source>Pick</source>
@@ -1808,7 +1840,7 @@
     </message>
     <message>
         <source>Pitch of the pin grid (0: none)</source>
-        <translation>销阵间距(0:无)</translation>
+        <translation>销阵间距（0：无）</translation>
     </message>
     <message>
         <source>Plane of the bed</source>
@@ -1928,11 +1960,11 @@
     </message>
     <message>
         <source>Shrinkage across, mm/m</source>
-        <translation>横向收缩,mm/m</translation>
+        <translation>横向收缩，mm/m</translation>
     </message>
     <message>
         <source>Shrinkage along, mm/m</source>
-        <translation>纵向收缩,mm/m</translation>
+        <translation>纵向收缩，mm/m</translation>
     </message>
     <message>
         <source>Slope 1 :</source>
@@ -2063,12 +2095,20 @@
         <translation>US（美国）</translation>
     </message>
     <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
         <source>Unit</source>
         <translation>单位</translation>
     </message>
     <message>
         <source>Upward direction x, y, z</source>
         <translation>向上方向 x, y, z</translation>
+    </message>
+    <message>
+        <source>Warnings: {count}</source>
+        <translation>警告：{count}</translation>
     </message>
     <message>
         <source>Warnings: {count}, listed by Findings</source>
@@ -2099,36 +2139,28 @@
         <translation>写出数据表</translation>
     </message>
     <message>
+        <source>Written without what a schedule cannot say ({count}):</source>
+        <translation>已写出，但不含数据表无法表达的内容（{count} 项）：</translation>
+    </message>
+    <message>
         <source>Written without what is in error:</source>
         <translation>已写出，不含有错误的部分：</translation>
+    </message>
+    <message>
+        <source>Written without what is not laid flat:</source>
+        <translation>已写出，不含未展开的部分：</translation>
     </message>
     <message>
         <source>Written: {file}</source>
         <translation>已写出：{file}</translation>
     </message>
     <message>
-        <source>Written: {file}; {count} things a schedule cannot say</source>
-        <translation>已写出：{file}；有 {count} 项数据表无法表达</translation>
-    </message>
-    <message>
         <source>Y</source>
         <translation>Y 形</translation>
     </message>
     <message>
-        <source>a cut lies behind the start of the axis</source>
-        <translation>分段点须位于轴线起点之后</translation>
-    </message>
-    <message>
-        <source>a cut lies between 0% and 100%</source>
-        <translation>分段点须在 0% 与 100% 之间</translation>
-    </message>
-    <message>
         <source>a number is missing or cannot be read</source>
         <translation>缺少数字或无法读取</translation>
-    </message>
-    <message>
-        <source>a slope is 0 or more</source>
-        <translation>坡度须不小于 0</translation>
     </message>
     <message>
         <source>a value is missing</source>
@@ -2149,6 +2181,10 @@
     <message>
         <source>and {count} more</source>
         <translation>另有 {count} 项</translation>
+    </message>
+    <message>
+        <source>and {count} more; the Report view lists them all</source>
+        <translation>另有 {count} 项；报告视图中全部列出</translation>
     </message>
     <message>
         <source>at least {limit:.0f}</source>
@@ -2180,7 +2216,7 @@
     </message>
     <message>
         <source>between its neighbours: {least:.0f} to {most:.0f} mm</source>
-        <translation>应在相邻接缝之间:{least:.0f} 至 {most:.0f} mm</translation>
+        <translation>应在相邻拼接缝之间：{least:.0f} 至 {most:.0f} mm</translation>
     </message>
     <message>
         <source>bottom</source>
@@ -2291,6 +2327,10 @@
         <translation>每根构件都已有图纸</translation>
     </message>
     <message>
+        <source>expressions (= …) are for the panel of the object</source>
+        <translation>表达式（= …）请在对象的面板中输入</translation>
+    </message>
+    <message>
         <source>face</source>
         <translation>面</translation>
     </message>
@@ -2332,7 +2372,7 @@
     </message>
     <message>
         <source>give three numbers: x, y, z</source>
-        <translation>请给出三个数:x, y, z</translation>
+        <translation>请给出三个数：x, y, z</translation>
     </message>
     <message>
         <source>given</source>
@@ -2359,24 +2399,32 @@
         <translation>等参线</translation>
     </message>
     <message>
+        <source>it follows = {text}</source>
+        <translation>其值随 = {text}</translation>
+    </message>
+    <message>
+        <source>it follows = {text}: change what it names, or clear the expression in the property editor, tab Data</source>
+        <translation>其值随 = {text}：请修改其引用的值，或在属性编辑器的“数据”选项卡中清除表达式</translation>
+    </message>
+    <message>
         <source>it has another unit</source>
         <translation>单位不符</translation>
     </message>
     <message>
         <source>joint of the next face</source>
-        <translation>相邻面的接缝</translation>
+        <translation>相邻面的拼接缝</translation>
     </message>
     <message>
         <source>joints must be above 0</source>
-        <translation>接缝位置须大于 0</translation>
+        <translation>拼接缝位置须大于 0</translation>
     </message>
     <message>
         <source>joints must rise</source>
-        <translation>接缝位置须递增</translation>
+        <translation>拼接缝位置须递增</translation>
     </message>
     <message>
         <source>joints stand with the first segment</source>
-        <translation>接缝写在第一段</translation>
+        <translation>拼接缝写在第一段</translation>
     </message>
     <message>
         <source>keep</source>
@@ -2385,6 +2433,10 @@
     <message>
         <source>left</source>
         <translation>左</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>长度</translation>
     </message>
     <message>
         <source>length error</source>
@@ -2519,8 +2571,8 @@
         <translation>无</translation>
     </message>
     <message>
-        <source>none; 4000 8000; 0.5; auto</source>
-        <translation>无；4000 8000；0.5；auto</translation>
+        <source>none, or such as 4000 8000, 0.5, auto</source>
+        <translation>无，或如 4000 8000、0.5、auto</translation>
     </message>
     <message>
         <source>normal</source>
@@ -2620,11 +2672,15 @@
     </message>
     <message>
         <source>row {number}: {reason}</source>
-        <translation>第 {number} 行:{reason}</translation>
+        <translation>第 {number} 行：{reason}</translation>
     </message>
     <message>
         <source>row {row} {column}</source>
         <translation>第 {row} 行 {column}</translation>
+    </message>
+    <message>
+        <source>rows {first} to {last} {column}</source>
+        <translation>第 {first} 至 {last} 行 {column}</translation>
     </message>
     <message>
         <source>rule</source>
@@ -2751,6 +2807,10 @@
         <translation>牛腿</translation>
     </message>
     <message>
+        <source>such as {text}</source>
+        <translation>如 {text}</translation>
+    </message>
+    <message>
         <source>surface</source>
         <translation>曲面</translation>
     </message>
@@ -2768,11 +2828,15 @@
     </message>
     <message>
         <source>the expression cannot be read: {reason}</source>
-        <translation>表达式无法读取:{reason}</translation>
+        <translation>表达式无法读取：{reason}</translation>
     </message>
     <message>
         <source>the first segment starts with the axis</source>
         <translation>第一段从轴线起点开始</translation>
+    </message>
+    <message>
+        <source>the length is that of the axis, in mm</source>
+        <translation>长度为轴线长度，单位 mm</translation>
     </message>
     <message>
         <source>the member has no plates</source>
@@ -2795,8 +2859,8 @@
         <translation>没有截面</translation>
     </message>
     <message>
-        <source>there is no section {name!r}</source>
-        <translation>没有截面 {name!r}</translation>
+        <source>there is no section {name!r}; there are {names}</source>
+        <translation>没有截面 {name!r}；现有 {names}</translation>
     </message>
     <message>
         <source>thickness</source>
@@ -2872,7 +2936,7 @@
     </message>
     <message>
         <source>with drawing sheets (slower)</source>
-        <translation>带图纸(较慢)</translation>
+        <translation>带图纸（较慢）</translation>
     </message>
     <message>
         <source>without drawing sheets</source>
@@ -2912,7 +2976,7 @@
     </message>
     <message>
         <source>{count} patterns, lengths within {off:.4f} mm</source>
-        <translation>{count} 张展开图,长度误差不超过 {off:.4f} mm</translation>
+        <translation>{count} 张展开图，长度误差不超过 {off:.4f} mm</translation>
     </message>
     <message>
         <source>{count} plates, {mass:.0f} kg</source>
@@ -2920,7 +2984,7 @@
     </message>
     <message>
         <source>{count} saddles, lying on: {faces}</source>
-        <translation>{count} 个托架,朝下的面:{faces}</translation>
+        <translation>{count} 个托架，朝下的面：{faces}</translation>
     </message>
     <message>
         <source>{count} shapes are selected, one is needed</source>
@@ -2936,7 +3000,7 @@
     </message>
     <message>
         <source>{face}: joint {number} at</source>
-        <translation>{face}:接缝 {number} 位于</translation>
+        <translation>{face}：拼接缝 {number} 位于</translation>
     </message>
     <message>
         <source>{file}: {names}; read them before you send them</source>
@@ -2944,11 +3008,15 @@
     </message>
     <message>
         <source>{kind}, angle {angle:.1f}°, axes {off:.2f} mm apart</source>
-        <translation>{kind},夹角 {angle:.1f}°,轴线相距 {off:.2f} mm</translation>
+        <translation>{kind}，夹角 {angle:.1f}°，轴线相距 {off:.2f} mm</translation>
     </message>
     <message>
         <source>{labels} have it already</source>
         <translation>{labels} 已有</translation>
+    </message>
+    <message>
+        <source>{name} is of no object: write the object before it, as in {example}</source>
+        <translation>{name} 不属于任何对象：请在前面写上对象，如 {example}</translation>
     </message>
     <message>
         <source>{one} and {other} have their node already: {nodes}</source>
@@ -2963,24 +3031,56 @@
         <translation>{text!r} 不是 {choices} 之一</translation>
     </message>
     <message>
-        <source>{text!r} is not a number</source>
-        <translation>{text!r} 不是数字</translation>
+        <source>{text} adds what has different units</source>
+        <translation>{text} 中相加的量单位不同</translation>
     </message>
     <message>
-        <source>{text!r} is not a number of use</source>
-        <translation>{text!r} 不是可用的数字</translation>
+        <source>{text} can mean {whole} or {decimal}: write one of them</source>
+        <translation>{text} 可理解为 {whole} 或 {decimal}：请写明其一</translation>
     </message>
     <message>
         <source>{text} cannot be read</source>
         <translation>{text} 无法读取</translation>
     </message>
     <message>
+        <source>{text} does not lie behind the start of the axis, 0 mm</source>
+        <translation>{text} 不在轴线起点（0 mm）之后</translation>
+    </message>
+    <message>
+        <source>{text} does not lie between 0% and 100%</source>
+        <translation>{text} 不在 0% 与 100% 之间</translation>
+    </message>
+    <message>
+        <source>{text} has a unit, a number alone is wanted</source>
+        <translation>{text} 带有单位，此处只需数字</translation>
+    </message>
+    <message>
         <source>{text} has another unit than {unit}</source>
         <translation>{text} 的单位不是 {unit}</translation>
     </message>
     <message>
-        <source>{text} is not between {least:g} and {most:g} {unit}</source>
-        <translation>{text} 不在 {least:g} 与 {most:g} {unit} 之间</translation>
+        <source>{text} is too little: {limit} or more</source>
+        <translation>{text} 过小：不小于 {limit}</translation>
+    </message>
+    <message>
+        <source>{text} is too much: {limit} or less</source>
+        <translation>{text} 过大：不大于 {limit}</translation>
+    </message>
+    <message>
+        <source>{text}: there are two signs side by side</source>
+        <translation>{text}：有两个相连的运算符</translation>
+    </message>
+    <message>
+        <source>{text}: there is no sign between two values</source>
+        <translation>{text}：两个值之间缺少运算符</translation>
+    </message>
+    <message>
+        <source>{text}: {number} has no unit, another value has</source>
+        <translation>{text}：{number} 没有单位，而另一个值有</translation>
+    </message>
+    <message>
+        <source>{told} (selected: {names})</source>
+        <translation>{told}（已选：{names}）</translation>
     </message>
 </context>
 <context>
@@ -3002,7 +3102,7 @@
     </message>
     <message>
         <source>What the pieces of the selected members lie on while they are put together</source>
-        <translation>所选构件各节段拼装时的支承胎架</translation>
+        <translation>所选构件各单元拼装时的支承胎架</translation>
     </message>
 </context>
 <context>
@@ -3116,6 +3216,17 @@
     </message>
 </context>
 <context>
+    <name>BendTorsion_FitMembers</name>
+    <message>
+        <source>Fit members</source>
+        <translation>适配构件视图</translation>
+    </message>
+    <message>
+        <source>Fit the view to the selected members, without the surface they lie on; to all members when nothing is selected</source>
+        <translation>将视图适配到所选构件，不含其所在曲面；未选择时适配到全部构件</translation>
+    </message>
+</context>
+<context>
     <name>BendTorsion_ImportSchedule</name>
     <message>
         <source>A new document with the members of a schedule workbook</source>
@@ -3152,7 +3263,7 @@
     <name>BendTorsion_MemberTable</name>
     <message>
         <source>All members as a table: sections, cuts, slopes, alignments, offsets and joints, edited or pasted as in a spreadsheet</source>
-        <translation>以表格列出全部构件：截面、分段点、坡度、对齐、偏移和接缝，可像电子表格一样编辑和粘贴</translation>
+        <translation>以表格列出全部构件：截面、分段点、坡度、对齐、偏移和拼接缝，可像电子表格一样编辑和粘贴</translation>
     </message>
     <message>
         <source>Member table</source>
@@ -3196,18 +3307,18 @@
     <name>BendTorsion_Pieces</name>
     <message>
         <source>Delivery pieces</source>
-        <translation>运输节段</translation>
+        <translation>运输单元</translation>
     </message>
     <message>
         <source>Where the member is divided into pieces for transport and site</source>
-        <translation>构件按运输和现场分成节段的位置</translation>
+        <translation>构件按运输和现场分成单元的位置</translation>
     </message>
 </context>
 <context>
     <name>BendTorsion_Plates</name>
     <message>
         <source>Cut the selected members into plates, or edit the joints of each face</source>
-        <translation>将所选构件分成板件，或编辑各面的接缝</translation>
+        <translation>将所选构件分成板件，或编辑各面的拼接缝</translation>
     </message>
     <message>
         <source>Plates</source>
@@ -3317,7 +3428,7 @@
     <name>BendTorsion_Splits</name>
     <message>
         <source>Drag the joints of each face on the face laid flat, held against the rules at once</source>
-        <translation>在展开的面上拖动各面接缝,即时按规则校核</translation>
+        <translation>在展开的面上拖动各面拼接缝，即时按规则校核</translation>
     </message>
     <message>
         <source>Split editor</source>

@@ -3,7 +3,7 @@
 
 import FreeCAD
 import FreeCADGui
-from hands import field, named, window
+from hands import field, named, press, run, select, window
 from PySide import QtGui
 
 
@@ -41,6 +41,11 @@ def member_document(name):
         member = make.make_member(document, f"M{k}", axis, used, segments)
         make.make_plates(document, member, {"top": [6500, 12500], "bottom": [4000, 9000]})
         member.ViewObject.Visibility = False
+    return _seen_whole(document)
+
+
+def _seen_whole(document):
+    """The document computed, without undo steps, seen whole in its view."""
     document.recompute()
     document.clearUndos()
     FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
@@ -67,11 +72,7 @@ def whole_document(name):
     make.make_sheets(document, unfold, plate_pages=False)
     make.make_bed(document, plates["M1"])
     make.make_node(document, named("M1"), named("M2"), plates=list(plates.values()))
-    document.recompute()
-    document.clearUndos()
-    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
-    FreeCADGui.SendMsgToActiveView("ViewFit")
-    return document
+    return _seen_whole(document)
 
 
 def long_members(name, count=3):
@@ -90,8 +91,13 @@ def long_members(name, count=3):
         member = make.make_member(document, f"M{k + 1}", axis, [section])
         make.make_plates(document, member, dict.fromkeys(("top", "left"), joints))
         member.ViewObject.Visibility = False
-    document.recompute()
-    document.clearUndos()
-    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
-    FreeCADGui.SendMsgToActiveView("ViewFit")
-    return document
+    return _seen_whole(document)
+
+
+def part_tables():
+    """(command, table) of each panel with a table of parts, opened on M1 and cancelled after."""
+    for name in ("Pieces", "Diaphragms", "Openings", "FaceMarks", "Welds"):
+        select(named("M1"))
+        run(name)
+        yield name, field("rows", QtGui.QTableWidget)
+        press("Cancel")

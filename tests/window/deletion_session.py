@@ -28,7 +28,8 @@ def state(document):
     for obj in document.Objects:
         if hasattr(obj, "Status"):
             solid = hasattr(obj, "Shape") and bool(obj.Shape.SubShapes)
-            size = f"{obj.Shape.BoundBox.DiagonalLength:.5g}" if solid else ""
+            # Of a copy, which has no picture: newer kernels bound a shape by its picture if any.
+            size = f"{obj.Shape.copy().BoundBox.DiagonalLength:.5g}" if solid else ""
             found[obj.Label] = [obj.Status, size, obj.isValid()]
     return found
 

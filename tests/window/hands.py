@@ -47,6 +47,16 @@ def field(name, kind=QtGui.QWidget):
     return next(w for w in window().findChildren(kind, name) if w.isVisible())
 
 
+def form():
+    """The widget of the task panel, with its fields and what is found."""
+    for widget in window().findChildren(QtGui.QLabel, "findings"):
+        while not widget.windowTitle():
+            widget = widget.parentWidget()
+        if widget.isVisible():
+            return widget
+    raise LookupError("no task panel is open")
+
+
 def key(widget, code, text="", modifiers=QtCore.Qt.NoModifier):
     """A key pressed in a widget."""
     for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):

@@ -46,7 +46,10 @@ def members():
     # From the 3D view Tab leads nowhere else in FreeCAD.
     tree = steps.document_tree()
     tree.setFocus()
-    strike("Home", "Down", "Down")
+    strike("Home")
+    # One or two rows below: newer FreeCADs show no row of the program itself.
+    while tree.currentIndex().data() != "Ball" and tree.indexBelow(tree.currentIndex()).isValid():
+        strike("Down")
     strike("Shift_L+Down", "Shift_L+Down")
     seen["selected"] = [item.Label for item in FreeCADGui.Selection.getSelection()]
     seen["dialog"] = []
@@ -114,11 +117,7 @@ def order():
 
 
 def _round():
-    form = next(
-        w.parentWidget()
-        for w in window().findChildren(QtGui.QLabel, "findings")
-        if w.isVisibleTo(window())
-    )
+    form = hands.form()
     wanted = [
         w
         for w in form.findChildren(QtGui.QWidget)

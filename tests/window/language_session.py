@@ -151,7 +151,7 @@ def findings():
     with command.errors_shown():
         macro.raise_errors([named("M2")])
     with command.errors_shown():
-        open(os.path.join(os.path.dirname(__file__), "nothing", "there"))
+        open(os.path.join(os.path.dirname(__file__), "nothing", "there"), encoding="utf-8")
     shown["boxes"] = told
     shown["held"] = [*named("M2").Findings, named("M2").Status]
     return shown

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs inside FreeCAD's window: a macro as FreeCAD's recorder saves it, and the file run again.
+"""Runs inside FreeCAD's window: a macro as FreeCAD's recorder saves it, with commands that are
+refused and cancelled among those that are done, and the file run again.
 
 BENDTORSION_WINDOW_MACRO names the file; it is recorded where there is none, and run where there is.
 """
@@ -44,19 +45,31 @@ def recorded():
     with asked(open_file=str(ARCS)):
         shown += run("ImportShapes")
     shapes = FreeCAD.ActiveDocument.Objects[0]
-    answered(_sizes)
+    refused = run("MembersFromSelection")
     of_faces = [edge for face in shapes.Shape.Faces for edge in face.Edges]
     free = [
         f"Edge{k}"
         for k, edge in enumerate(shapes.Shape.Edges, start=1)
         if not any(edge.isSame(other) for other in of_faces)
     ]
-    select((shapes, "Face1"), *((shapes, name) for name in free))
+    picked = [(shapes, "Face1"), *((shapes, name) for name in free)]
+    select(*picked)
+    answered(lambda dialog: dialog.reject())
+    shown += run("MembersFromSelection")
+    select(*picked[:2])
+    answered(_sizes)
+    shown += run("MembersFromSelection")
+    select(named("Surface"), *picked[2:])
+    answered(_sizes)
     shown += run("MembersFromSelection")
     select()
     shown += run("Section")
+    retype(field("Height"), "450 mm")
+    press("Cancel")
+    shown += run("Section")
     retype(field("Height"), "500 mm")
     press("Ok")
+    refused += run("Report")
     select(named("M1 plates"))
     shown += run("Plates")
     retype(field("joints top"), "3000 6000")
@@ -64,16 +77,45 @@ def recorded():
     select(named("M1"))
     shown += run("Development")
     press("Ok")
-    FreeCADGui.runCommand("Std_MacroStopRecord")
+    shown += run("ShowAs")
+    shown += run("ShowAs")
+    _spoil("M2 plates")
+    select(named("M1"), named("M2"))
+    refused += run("AssemblyBed")
+    with asked(folder="/proc/nowhere"):
+        refused += run("ExportPackage")
+    _spoil("M2 plates", mended=True)
+    # From FreeCAD 1.0 on the command that starts it stops it.
+    stop = "Std_MacroStopRecord"
+    known = stop in FreeCADGui.Command.listAll()
+    FreeCADGui.runCommand(stop if known else "Std_DlgMacroRecord")
     steps.settle()
-    return {"shown": shown, "figures": figures(FreeCAD.ActiveDocument), "free": len(free)}
+    found = {"shown": shown, "refused": refused, "free": len(free)}
+    return found | _seen()
+
+
+def _spoil(label, mended=False):
+    """Plates in error, beside what is recorded."""
+    named(label).JointsTop = [] if mended else [90000.0]
+    FreeCAD.ActiveDocument.recompute()
+    steps.settle(2)
+
+
+def _seen():
+    """What there is, what of it is shown, and where the view looks."""
+    document = FreeCAD.ActiveDocument
+    return {
+        "figures": figures(document),
+        "shown_ones": sorted(o.Label for o in document.Objects if o.ViewObject.Visibility),
+        "camera": FreeCADGui.getDocument(document.Name).ActiveView.getCamera(),
+    }
 
 
 def run_again():
     """The file as it is."""
     exec(compile(MACRO.read_text(encoding="utf-8"), str(MACRO), "exec"), __main__.__dict__)
     steps.settle()
-    return {"figures": figures(FreeCAD.ActiveDocument)}
+    return _seen()
 
 
 steps.run(run_again if MACRO.exists() else recorded)

@@ -91,17 +91,19 @@ def all_commands():
     for name in ("ShowAs", "ShowMarks", "ShowPoints"):
         command(name, plates)
         command(name, plates)
+    command("FitMembers")
     command("ShowFrames", named("M2"))
     command("MemberTable")
     command("Check")
     command("Findings")
     for name in ("BendTorsion_FindingsPanel", "BendTorsion_MemberTable"):
         FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, name).hide()
-    with asked(save_file=os.path.join(FOLDER, "macro.xlsx")):
+    with asked(save_file=os.path.join(FOLDER, "macro.xlsx"), warn=None):
         command("WriteSchedule")
-    with asked(save_file=os.path.join(FOLDER, "figures.json")):
+    # Both tell of M1 and M3, whose plates are not laid flat.
+    with asked(save_file=os.path.join(FOLDER, "figures.json"), warn=None):
         command("Report")
-    with asked(folder=os.path.join(FOLDER, "package")):
+    with asked(folder=os.path.join(FOLDER, "package"), warn=None):
         command("ExportPackage")
     steps.picture("all_commands")
     lines = [line for line in recorded()[start:] if line and not line.startswith(("#", "Gui."))]
@@ -143,4 +145,26 @@ def opened():
     return {"shown": shown, "lines": lines, "imported": imported}
 
 
-steps.run(all_commands, opened)
+def two_documents():
+    """Lines about two documents in one step, each the active one when it is its turn."""
+    from BendTorsionWB.gui import macro
+
+    former, start = FreeCAD.ActiveDocument, len(recorded())
+    one, two = FreeCAD.newDocument("One"), FreeCAD.newDocument("Two")
+    FreeCAD.setActiveDocument(one.Name)
+    with macro.recorded(one):
+        for document, name in ((one, "First"), (two, "Second"), (one, "Third")):
+            FreeCAD.setActiveDocument(document.Name)
+            with macro.recorded(document):
+                macro.run(f"document.addObject('App::FeaturePython', {name!r})")
+    with macro.undo_step(two, "Step"), macro.recorded(two):
+        macro.run("document.addObject('App::FeaturePython', 'Fourth')")
+    seen = {own.Name: [obj.Name for obj in own.Objects] for own in (one, two)}
+    seen["lines"] = [line for line in recorded()[start:] if line.startswith("document")]
+    for document in (one, two):
+        FreeCAD.closeDocument(document.Name)
+    FreeCAD.setActiveDocument(former.Name)
+    return seen
+
+
+steps.run(all_commands, opened, two_documents)

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs inside FreeCAD's window: files written, stopped, refused; schedules and examples opened."""
 
+import contextlib
 import os
 import sys
+from pathlib import Path
 
 import FreeCAD
 from PySide import QtCore, QtGui
@@ -26,6 +28,28 @@ def small_document():
     document.recompute()
     document.clearUndos()
     return document
+
+
+@contextlib.contextmanager
+def documents_seen():
+    """The lines of documents that the tree shows at any moment meanwhile."""
+    seen, watch = set(), QtCore.QTimer()
+    opened = set()
+
+    def look():
+        tree, lines = steps.document_tree(), list(steps.tree_rows())
+        level = 1 if lines and lines[0][1].data() == "Application" else 0
+        lines = [at for depth, at in lines if depth == level]
+        seen.update(at.data() for at in lines if not tree.isRowHidden(at.row(), at.parent()))
+        opened.update(FreeCAD.listDocuments())
+
+    watch.timeout.connect(look)
+    watch.start(0)
+    try:
+        yield seen
+    finally:
+        watch.stop()
+    assert len(opened) > 1, "no document was opened that could have been seen"
 
 
 def output():
@@ -57,14 +81,15 @@ def output():
     result["bars"] = bars[:1]
     result["stopped"] = sorted(os.listdir(stopped)) if os.path.isdir(stopped) else []
     package = os.path.join(FOLDER, "package")
-    with asked(folder=package):
+    with asked(folder=package), documents_seen() as seen:
         result["package_shown"] = run("ExportPackage")
+    result["seen"] = [sorted(seen), document.Label]
     result["package"] = sorted(os.listdir(package))
     result["plates"] = sorted(os.listdir(os.path.join(package, "plates")))
     result["marks"] = list(named("M1 plates").Marks)
     result["active"] = FreeCAD.ActiveDocument.Name == document.Name
     schedule = os.path.join(FOLDER, "back.xlsx")
-    with asked(save_file=schedule):
+    with asked(save_file=schedule, warn=None):
         result["schedule"] = [run("WriteSchedule"), os.path.exists(schedule)]
     with asked(save_file="/proc/nowhere/back.xlsx"):
         result["read_only"] = run("WriteSchedule")
@@ -94,4 +119,47 @@ def output():
     return result
 
 
-steps.run(output)
+def losses():
+    """What a schedule cannot say, told by the command: one section that no member has, and ten;
+    the Report view, which a warning would open."""
+    from BendTorsionWB import make
+    from BendTorsionWB.gui import ask
+
+    document, seen = small_document(), {}
+    warn, report = ask.warn, window().findChild(QtGui.QDockWidget, "Report view")
+    for first, count in ((0, 1), (1, 10)):
+        for k in range(first, count):
+            make.make_section(document, f"spare {k}", h=500, b=400, t=13 + k)
+        warned = []
+        document.recompute()
+        ask.warn = warned.append
+        before = steps.report_view()
+        with asked(save_file=os.path.join(FOLDER, f"spare{count}.xlsx")):
+            shown = run("WriteSchedule")
+        said = window().statusBar().currentMessage()
+        listed = steps.report_view().removeprefix(before).count("SectionSpec spare 9")
+        seen[count] = [shown, said, warned, report.isVisible(), listed]
+    ask.warn = warn
+    return seen
+
+
+def split():
+    """What writes the members of a document, in the one that links to those of a split model."""
+    from BendTorsionWB.model_files import ModelPart, write_linked_model
+
+    former, folder = FreeCAD.ActiveDocument, Path(FOLDER) / "split"
+    (folder / "model").mkdir(parents=True)
+    document = small_document()
+    document.addObject("App::LinkGroup", "Plates")
+    document.saveAs(str(folder / "model" / "001.FCStd"))
+    FreeCAD.closeDocument(document.Name)
+    write_linked_model([ModelPart("model/001", ("M1",))], folder / "model.FCStd", 1)
+    whole = FreeCAD.openDocument(str(folder / "model.FCStd"))
+    seen = {name: run(name) for name in ("WriteSchedule", "ExportPackage", "Report")}
+    for name in {*FreeCAD.listDocuments()} & {whole.Name, "001", "_001"}:
+        FreeCAD.closeDocument(name)
+    FreeCAD.setActiveDocument(former.Name)
+    return seen
+
+
+steps.run(output, losses, split)

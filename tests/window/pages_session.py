@@ -6,9 +6,12 @@ import sys
 
 import FreeCAD
 import FreeCADGui
+from PySide import QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import steps
+from commands_aids import whole_document
+from hands import named, press, run, select, window
 
 
 def go_to_finding(document):
@@ -76,7 +79,66 @@ def pages():
     page.ViewObject.doubleClicked()
     result["again"].append(drawn(page))
     steps.settle()
+    FreeCAD.closeDocument(again.Name)
     return result
 
 
-steps.run(pages)
+def pages_of(document):
+    """The drawing pages of a document."""
+    return [item for item in document.Objects if item.isDerivedFrom("TechDraw::DrawPage")]
+
+
+def steps_front():
+    """What kind of view is in front."""
+    return str(FreeCADGui.ActiveDocument.ActiveView)
+
+
+def page_windows():
+    """Title and dark pixels of each drawing page that is open."""
+    found = {}
+    for item in window().findChildren(QtGui.QMdiSubWindow):
+        pages = [view for view in item.findChildren(QtGui.QGraphicsView) if "QGVPage" in meta(view)]
+        if pages and item.isVisible():
+            shown = pages[0].viewport().grab().toImage()
+            dots = range(0, shown.width(), 2), range(0, shown.height(), 2)
+            dark = sum(shown.pixelColor(x, y).lightness() < 90 for x in dots[0] for y in dots[1])
+            found[item.windowTitle().removesuffix("[*]")] = dark
+    return found
+
+
+def meta(widget):
+    """What kind of widget FreeCAD made."""
+    return widget.metaObject().className()
+
+
+def taken_back():
+    """Sheets by the command, undone and done again twice, with the page open; then a page that an
+    edit leaves without a sheet, undone."""
+    document = whole_document("Again")
+    select(named("M2 plates"))
+    run("Development")
+    press("Ok")
+    run("Sheets", pause=8)
+    seen = {"made": page_windows(), "front": steps_front()}
+    for name in ("Undo", "Redo", "Undo", "Redo"):
+        FreeCADGui.runCommand(f"Std_{name}")
+        steps.settle(6)
+        seen.setdefault(name, []).append([page_windows(), len(pages_of(document)), steps_front()])
+    steps.picture("page_redone")
+    last, sheets = pages_of(document)[-1], named("M2 sheets")
+    label = last.Label
+    last.ViewObject.doubleClicked()
+    steps.settle()
+    document.openTransaction("fewer pages")
+    sheets.PlatePages = False
+    document.recompute()
+    document.commitTransaction()
+    steps.settle(6)
+    seen["surplus"] = [label, sorted(page_windows())]
+    FreeCADGui.runCommand("Std_Undo")
+    steps.settle(6)
+    seen["back"] = [sorted(page_windows()), page_windows().get(label)]
+    return seen
+
+
+steps.run(pages, taken_back)

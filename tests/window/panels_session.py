@@ -3,14 +3,16 @@
 
 import os
 import sys
+from contextlib import contextmanager
 
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import keys
 import steps
-from commands_aids import ok_enabled, panel_text, whole_document
+from commands_aids import member_document, ok_enabled, panel_text, whole_document
 from hands import asked, field, key, named, press, retype, run, select, window
 
 FOLDER = os.path.dirname(os.environ["BENDTORSION_WINDOW_RESULT"])
@@ -104,6 +106,8 @@ def by_keys():
     plates = named("M1 plates")
     select(plates)
     run("Splits")
+    # A bar shown while an undo was computed took the keyboard along.
+    keys.active(window())
     view = window().findChildren(QtGui.QGraphicsView)[-1]
     view.setFocus()
     result = {}
@@ -179,7 +183,31 @@ def part_tables():
     run("Openings")
     rows = field("rows", QtGui.QTableWidget)
     seen = [field("hint", QtGui.QLabel).text(), rows.choices(0, 0), rows.choices(0, 1)]
+    rows.write({(0, 0): "Top", (0, 1): "1.5 m", (0, 2): "1,200", (0, 3): "d=120", (1, 2): "3,400"})
+    steps.settle()
+    marked = [bool(rows.item(0, c).toolTip()) for c in range(4)]
+    refused = [ok_enabled(), panel_text(), marked]
+    rows.write({(0, 2): "2 cm + 5 mm", (1, 2): ""})
+    steps.settle(6)
+    plates = named("M1 plates")
+    read = [plates.OpeningFaces, plates.OpeningPlaces, plates.OpeningOffsets, ok_enabled()]
     press("Cancel")
+    return [*seen, refused, read]
+
+
+def joint_fields():
+    """Places of joints with units; what cannot be takes them back."""
+    plates = named("M1 plates")
+    select(plates)
+    run("Plates")
+    line = field("joints top")
+    seen = {"before": list(plates.JointsTop)}
+    retype(line, "2 m 4.5 m + 5 mm")
+    seen["units"] = [list(plates.JointsTop), ok_enabled()]
+    retype(line, "3 m bf")
+    seen["refused"] = [list(plates.JointsTop), ok_enabled()]
+    press("Cancel")
+    seen["cancelled"] = list(plates.JointsTop)
     return seen
 
 
@@ -270,4 +298,120 @@ def templates():
     return result
 
 
-steps.run(double_clicks, refused, by_keys, lanes, part_tables, context_menus, stopped, templates)
+def height_typed():
+    """Another height typed into the panel of a section, its preview shown."""
+    run("Section")
+    retype(field("Height"), "620 mm")
+    steps.settle(6)
+
+
+@contextmanager
+def added_in(document, name):
+    """A script's transaction in a document, with an object that is new."""
+    document.openTransaction(name)
+    document.addObject("App::FeaturePython", "Thing")
+    yield
+    document.commitTransaction()
+
+
+def elsewhere():
+    """A transaction in another document while a panel is open, then OK or Cancel."""
+    former, seen = FreeCAD.ActiveDocument, {}
+    document = whole_document("Own")
+    other = FreeCAD.newDocument("Elsewhere")
+    FreeCAD.setActiveDocument(document.Name)
+    section = named("B")
+    for label, button in (("B", "Ok"), ("B", "Cancel"), ("", "Ok"), ("", "Cancel")):
+        count, height = len(document.Objects), section.Height.Value
+        FreeCADGui.Selection.clearSelection()
+        if label:
+            select(section)
+        height_typed()
+        with added_in(other, "Script"):
+            pass
+        press(button)
+        steps.settle(6)
+        found = [list(document.UndoNames), list(document.RedoNames)]
+        found += [section.Height.Value, len(document.Objects) - count]
+        if button == "Ok":
+            document.undo()
+            document.recompute()
+            found += [section.Height.Value == height, len(document.Objects) - count]
+        document.clearUndos()
+        seen[f"{label} {button}"] = found
+    seen["other"] = [list(other.UndoNames), len(other.Objects)]
+    select(section)
+    height_typed()
+    with added_in(other, "Both"):
+        named("M1").Label2 = "noted"
+    press("Cancel")
+    steps.settle(6)
+    seen["both"] = [section.Height.Value, named("M1").Label2]
+    for own in (other, document):
+        FreeCAD.closeDocument(own.Name)
+    FreeCAD.setActiveDocument(former.Name)
+    return seen
+
+
+def other_cut():
+    """A slope that is none, another cut pressed in the 3D view, the own one dragged and let go."""
+    import gc
+
+    import numpy as np
+
+    from BendTorsionWB.gui.cut_dragger import CutDragger
+
+    former = FreeCAD.ActiveDocument
+    document = member_document("Cuts")
+    member = named("M1")
+    select(member)
+    run("Member")
+    field("segments", QtGui.QComboBox).setCurrentIndex(1)
+    steps.settle(4)
+    retype(field("Slope2"), "bf")
+    steps.settle(4)
+
+    dragger = next(one for one in gc.get_objects() if isinstance(one, CutDragger) and one.handles)
+
+    def at(segment, beyond=0.0):
+        handle = next(one for one in dragger.handles if one.segment == segment)
+        place = dragger.frames.axis.position(np.array([handle.s + beyond]))
+        return dragger.mouse.pixels(place)[0][0]
+
+    def state():
+        slope = window().findChildren(QtGui.QWidget, "Slope2")
+        shown = [w.findChild(QtGui.QLineEdit).text() for w in slope if w.isVisible()]
+        return [field("segments", QtGui.QComboBox).currentIndex() + 1, shown, ok_enabled()]
+
+    cut, other = member.Cut2.Value, member.Cut3.Value
+    seen = {"before": state(), "taken": dragger.press(at(3))}
+    dragger.move(at(3, 500.0), True)
+    dragger.release(at(3))
+    steps.settle(6)
+    seen["other"] = [*state(), member.Cut2.Value == cut, member.Cut3.Value == other]
+    dragger.press(at(2))
+    dragger.move(at(2, 500.0), True)
+    steps.settle(3)
+    seen["dragged"] = [*state(), member.Cut2.Value > cut + 100.0]
+    dragger.escape()
+    steps.settle(6)
+    seen["escaped"] = [*state(), member.Cut2.Value == cut]
+    press("Cancel")
+    FreeCAD.closeDocument(document.Name)
+    FreeCAD.setActiveDocument(former.Name)
+    return seen
+
+
+steps.run(
+    double_clicks,
+    refused,
+    by_keys,
+    lanes,
+    part_tables,
+    joint_fields,
+    context_menus,
+    stopped,
+    templates,
+    elsewhere,
+    other_cut,
+)

@@ -142,4 +142,28 @@ def view_closed():
     return {"open": bool(FreeCADGui.Control.activeDialog())}
 
 
-steps.run(drag_cut, drag_nothing, align_on_the_member, link_picked, view_closed)
+def large_section():
+    """Cut point at a click on the edge of a section of 2.5 m, which is far from its axis."""
+    from BendTorsionWB import make
+
+    document = FreeCAD.newDocument("Large")
+    ground = make.make_surface(document, "Ground", "plane")
+    axis = make.make_axis(document, "A1", ground, [(0, 0, 0), (9000, 0, 0)])
+    section = make.make_section(document, "B", h=2500, b=2500, t=20)
+    member = make.make_member(document, "M1", axis, [section])
+    plates = make.make_plates(document, member)
+    document.recompute()
+    corner = max((v.Point for v in plates.Shape.Vertexes), key=lambda p: p.y + p.z - abs(p.x))
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection("Large", plates.Name, "Edge1", 4000.0, corner.y, corner.z)
+    shown = run("CutPoint")
+    is_open = bool(FreeCADGui.Control.activeDialog())
+    press("Ok") if is_open else None
+    return {
+        "shown": shown,
+        "off": [corner.y, corner.z],
+        "cuts": [member.Segments, member.Cut2.Value],
+    }
+
+
+steps.run(drag_cut, drag_nothing, align_on_the_member, link_picked, view_closed, large_section)

@@ -90,7 +90,7 @@ def changed():
             field[name].setProperty("rawValue", value)
         field["RulePack"].setCurrentIndex(field["RulePack"].findData("EU"))
         field["Author"].setText("A. Detailer")
-        field["Slope"].setValue(4.0)
+        field["Slope"].setProperty("rawValue", 4.0)
         field["LayerCUT_OUTER"].setText("10")
         field["SheetFormat"].setCurrentIndex(field["SheetFormat"].findData("A1"))
         steps.picture("preferences")
@@ -143,6 +143,33 @@ def layers():
     return {"marked": marked, "told": told, "kept": kept}
 
 
+def sizes():
+    """A size that cannot be, and one beyond the limit: marked, told, and not kept."""
+    from BendTorsionWB.gui import ask
+    from BendTorsionWB.gui.preferences_page import PreferencesPage
+
+    page = PreferencesPage()
+    page.loadSettings()
+    fields = {item.name: field for item, field in page.fields.values()}
+    told, ask.warn = [], lambda text: told.append(text)
+    for name, text in (
+        ("Height", "bf"),
+        ("Breadth", "1 km"),
+        ("StationSpacing", "5 mm"),
+        ("Slope", "3"),
+    ):
+        line = fields[name].findChild(QtGui.QLineEdit)
+        line.selectAll()
+        line.insert(text)
+    names = ("Height", "Breadth", "StationSpacing", "Slope")
+    marked = [bool(fields[name].styleSheet()) for name in names]
+    page.saveSettings()
+    again = PreferencesPage()
+    again.loadSettings()
+    kept = {item.name: field.property("rawValue") for item, field in again.fields.values()}
+    return {"marked": marked, "told": told, "kept": kept}
+
+
 def language():
     """The other language, by the page: at once, and kept for the next start."""
     from BendTorsionWB.gui.preferences_page import OutputPage
@@ -160,4 +187,4 @@ def language():
     }
 
 
-steps.run(before, changed, after, layers, language)
+steps.run(before, changed, after, layers, sizes, language)

@@ -112,4 +112,16 @@ def two_documents():
     return seen
 
 
-steps.run(runs, two_documents)
+def gone_at_once():
+    """The object a panel edits deleted and its document closed in one go, as a script does."""
+    document = whole_document("Gone")
+    select(named("B"))
+    run("Section")
+    retype(field("Height"), "650 mm")
+    document.removeObject(named("B").Name)
+    FreeCAD.closeDocument(document.Name)
+    steps.settle(12)
+    return {"panel": bool(FreeCADGui.Control.activeDialog())}
+
+
+steps.run(runs, two_documents, gone_at_once)

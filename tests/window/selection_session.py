@@ -283,6 +283,68 @@ def surface_used_again():
     return seen
 
 
+def tree_nodes():
+    """What is taken where a part, a group or a compound is picked in the tree: with some of what
+    it holds, alone, and of a group that holds nothing; members of a part that was moved."""
+    import Part
+
+    from BendTorsionWB.core.finding import BendTorsionError
+    from BendTorsionWB.gui import ask, selection
+
+    document = FreeCAD.newDocument("Nodes")
+    roof = document.addObject("App::Part", "roof")
+    lines = [
+        Part.makeLine(FreeCAD.Vector(-4000, y, 20030), FreeCAD.Vector(4000, y, 20030))
+        for y in (0, 900)
+    ]
+    shapes = {"Ball": Part.makeSphere(20000), "L1": lines[0], "L2": lines[1]}
+    for name, shape in shapes.items():
+        document.addObject("Part::Feature", name).Shape = shape
+        roof.addObject(document.getObject(name))
+    whole = document.addObject("Part::Feature", "whole")
+    whole.Shape = Part.Compound(list(shapes.values()))
+    pair = document.addObject("Part::Compound", "pair")
+    pair.Links = [named("L1"), named("L2")]
+    empty = document.addObject("App::DocumentObjectGroup", "empty")
+    document.recompute()
+    steps.settle()
+
+    def taken(*items):
+        select(*items)
+        try:
+            (obj, name), curves = selection.surface_and_curves(selection.picked())
+        except BendTorsionError as problem:
+            return str(problem)
+        return [obj.Label, name, [[one.Label, edges] for one, edges in curves]]
+
+    face, line = (roof, "Ball.Face1"), (roof, "L1.Edge1")
+    seen = {
+        "with parts": taken(roof, face, line),
+        "after parts": taken(face, line, roof),
+        "alone": taken(roof),
+        "compound": taken(whole),
+        "compound and its line": taken(face, pair, line),
+        "and nothing": taken(empty, face, line),
+        "no curve": taken(empty, face),
+        "two faces": taken(face, whole),
+    }
+    roof.Placement.Base = FreeCAD.Vector(1000, 0, 0)
+    document.recompute()
+    select(roof, empty)
+    answered(lambda dialog: dialog.accept())
+    # FreeCAD warns in the status bar of links out of a part.
+    said, tell = [], ask.tell
+    ask.tell = said.append
+    seen["shown"] = run("MembersFromSelection")
+    ask.tell = tell
+    seen["said"] = " ".join(said)
+    seen["made"] = [[mark, named(mark).Status] for mark in ours(document, "Member")]
+    box = named("M1-axis").Shape.BoundBox
+    seen["x"] = [box.XMin, box.XMax]
+    FreeCAD.closeDocument(document.Name)
+    return seen
+
+
 steps.run(
     no_document,
     axes,
@@ -294,4 +356,5 @@ steps.run(
     in_error,
     sources,
     surface_used_again,
+    tree_nodes,
 )

@@ -17,6 +17,9 @@ try:
     ImportGui.insert(os.environ["BENDTORSION_WINDOW_STEP"], "Read")
     seen["objects"] = []
     for obj in document.Objects:
+        # FreeCAD 1.0 gives each assembly axes and planes of its own.
+        if obj.TypeId in ("App::Origin", "App::Line", "App::Plane", "App::Point"):
+            continue
         own = {"label": obj.Label, "parents": [parent.Label for parent in obj.InList]}
         if obj.isDerivedFrom("Part::Feature"):
             shape = obj.Shape

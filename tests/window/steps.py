@@ -50,11 +50,17 @@ def _arrange_window():
     settle()
 
 
+def side():
+    """The dock of the tree and the properties: FreeCAD 1.0 gave it another name, and panels another
+    dock in the same place."""
+    docks = FreeCADGui.getMainWindow().findChildren(QtGui.QDockWidget)
+    return next(dock for dock in docks if dock.objectName() in ("Combo View", "Model"))
+
+
 def narrow(width=400):
     """Give the tree and the properties a width, as a panel leaves them wide."""
     main = FreeCADGui.getMainWindow()
-    docks = [d for d in main.findChildren(QtGui.QDockWidget) if d.objectName() == "Combo View"]
-    main.resizeDocks(docks, [width], QtCore.Qt.Horizontal)
+    main.resizeDocks([side()], [width], QtCore.Qt.Horizontal)
     tree = document_tree()
     tree.setColumnWidth(0, width - 30)
     settle(2)
@@ -72,6 +78,22 @@ def settle(times=5):
         QtGui.QApplication.processEvents()
         QtCore.QThread.msleep(PAUSE)
     QtGui.QApplication.processEvents()
+
+
+def until(holds):
+    """Let the window catch up until something holds, for a second or two at most."""
+    for _ in range(20):
+        if holds():
+            return
+        settle(1)
+
+
+def still(view):
+    """Let the view turn to where it was told to: FreeCAD 1.0 turns it little by little."""
+    before = None
+    while before != view.getCamera():
+        before = view.getCamera()
+        settle()
 
 
 def report_view():
@@ -116,19 +138,32 @@ def document_tree():
     return next(tree for tree in trees if tree.metaObject().className() == "Gui::TreeWidget")
 
 
+def drawn(obj):
+    """Whether the 3D view draws the shape of an object."""
+    from pivy import coin
+
+    search = coin.SoSearchAction()
+    search.setType(coin.SoSwitch.getClassTypeId())
+    search.apply(obj.ViewObject.RootNode)
+    return search.getPath().getTail().whichChild.getValue() >= 0
+
+
 def tree_items():
     """The texts of the tree with their depth, as they stand; documents have depth 1, though from
     FreeCAD 1.0 on there is nothing above them."""
-    tree = document_tree()
-    found = []
+    found = [(depth, at.data()) for depth, at in tree_rows()]
     labels = {document.Label for document in FreeCAD.listDocuments().values()}
-    if tree.topLevelItemCount() and tree.topLevelItem(0).text(0) in labels:
-        found.append((-1, ""))
+    if found and found[0][1] in labels:
+        found = [(depth + 1, text) for depth, text in found]
+    return found
 
-    def walk(item, depth):
-        found.append((depth, item.text(0)))
-        for k in range(item.childCount()):
-            walk(item.child(k), depth + 1)
 
-    walk(tree.invisibleRootItem(), len(found) - 1)
-    return found[1:]
+def tree_rows(parent=None, depth=0):
+    """The rows of the tree with their depth. As indices of its model: PySide keeps an item of the
+    tree by its address, and gives it in place of what lives there later."""
+    model = document_tree().model()
+    parent = parent or QtCore.QModelIndex()
+    for k in range(model.rowCount(parent)):
+        at = model.index(k, 0, parent)
+        yield depth, at
+        yield from tree_rows(at, depth + 1)

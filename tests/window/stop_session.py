@@ -63,7 +63,7 @@ def state(document):
 def sheets():
     """Stopped while the pages of the last member are made, and once they are all there."""
     from BendTorsionWB import make
-    from BendTorsionWB.gui import ask, progress
+    from BendTorsionWB.gui import ask, commands_plates, progress
 
     document, seen = long_members("Sheets", 2), {}
     for name in ("M1 plates", "M2 plates"):
@@ -73,8 +73,13 @@ def sheets():
     before = state(document)
     told = []
     tell, ask.tell = ask.tell, told.append
+    # What is laid out already is made before a dialog is shown to those who wait.
+    patience, commands_plates.PATIENCE = commands_plates.PATIENCE, 0.0
     progress.QtWidgets = SimpleNamespace(
-        QProgressDialog=Bar, QApplication=QtGui.QApplication, former=progress.QtWidgets
+        QProgressDialog=Bar,
+        QApplication=QtGui.QApplication,
+        QPushButton=QtGui.QPushButton,
+        former=progress.QtWidgets,
     )
     try:
         for when, times in (("made", 1), ("drawn", 2)):
@@ -95,7 +100,7 @@ def sheets():
                 document.undo()
             document.recompute()
     finally:
-        ask.tell = tell
+        ask.tell, commands_plates.PATIENCE = tell, patience
         progress.QtWidgets = progress.QtWidgets.former
     seen["before"] = before
     return seen

@@ -10,7 +10,7 @@ from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import steps
-from commands_aids import member_document, panel_text
+from commands_aids import member_document, panel_text, part_tables
 from hands import answered, asked, field, key, named, press, run, select, window
 
 
@@ -19,10 +19,15 @@ def told():
     return window().statusBar().currentMessage()
 
 
-def combo():
-    """The dock of the tree and the panels."""
+def side_width():
+    """Pixels the tree has, or the panel before it."""
+    tree = steps.side()
     docks = window().findChildren(QtGui.QDockWidget)
-    return next(dock for dock in docks if dock.objectName() == "Combo View")
+    panels = [dock for dock in docks if dock.objectName() == "Tasks"]
+    behind = tree.visibleRegion().isEmpty() or FreeCADGui.Control.activeDialog()
+    dock = panels[0] if panels and behind else tree
+    assert not dock.visibleRegion().isEmpty()
+    return dock.width()
 
 
 def ours(kind):
@@ -159,24 +164,39 @@ def node():
 def parts():
     """Which cell typing goes to in tables of parts."""
     seen = {}
-    for name in ("Pieces", "Diaphragms", "Openings", "FaceMarks", "Welds"):
-        select(named("M1"))
-        run(name)
-        table = field("rows")
+    for name, table in part_tables():
         seen[name] = [table.hasFocus(), table.currentRow(), table.currentColumn()]
-        press("Cancel")
+    return seen
+
+
+def transform():
+    """Whether FreeCAD's Transform takes hold of a member, its plates, its patterns."""
+    from BendTorsionWB import make
+
+    document, seen = FreeCAD.ActiveDocument, {}
+    plates = next(obj for obj in document.Objects if getattr(obj, "BT_Type", "") == "PlateSet")
+    patterns = make.make_unfold(document, plates)
+    document.recompute()
+    for obj in (plates.Member, plates, patterns):
+        FreeCADGui.ActiveDocument.setEdit(obj, 1)
+        steps.settle(2)
+        seen[obj.BT_Type] = FreeCADGui.ActiveDocument.getInEdit() is not None
+        FreeCADGui.Control.closeDialog()
+        FreeCADGui.ActiveDocument.resetEdit()
+        steps.settle(2)
     return seen
 
 
 def split():
     """Width of the side of the window before, while and after; texts."""
     document = member_document("Split")
+    steps.side().setVisible(True)
     steps.narrow(300)
-    seen = {"widths": [combo().width()]}
+    seen = {"widths": [side_width()]}
     select(named("M1"))
     run("Splits")
     steps.settle(4)
-    seen["widths"].append(combo().width())
+    seen["widths"].append(side_width())
     seen["verdict"] = field("verdict", QtGui.QLabel).text()
     view = next(v for v in window().findChildren(QtGui.QGraphicsView) if v.minimumWidth() >= 500)
     texts = [i for i in view.scene().items() if isinstance(i, QtGui.QGraphicsSimpleTextItem)]
@@ -190,7 +210,7 @@ def split():
     steps.picture("split")
     press("Cancel")
     steps.settle(8)
-    seen["widths"].append(combo().width())
+    seen["widths"].append(side_width())
     FreeCAD.setActiveDocument(document.Name)
     return seen
 
@@ -282,5 +302,6 @@ steps.run(
     split,
     table,
     severities,
+    transform,
     example,
 )

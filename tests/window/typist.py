@@ -25,7 +25,7 @@ TEST.XTestFakeMotionEvent.argtypes = (
 )
 DISPLAY = X11.XOpenDisplay(None)
 NAMES = {" ": "space", ".": "period", "+": "plus", ",": "comma", "-": "minus", ";": "semicolon"}
-NAMES |= {"*": "asterisk", "/": "slash", "=": "equal"}
+NAMES |= {"*": "asterisk", "/": "slash", "=": "equal", "(": "parenleft", ")": "parenright"}
 
 
 def hit(name):

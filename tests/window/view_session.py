@@ -46,7 +46,13 @@ def labels_seen(obj):
         box = next(label.pixels for label in layer.labels if label.text == text)
         above = path.getNodeFromTail(1)
         place = above.getChild(0).translation.getValue().getValue()
-        found.append([text, *view.getPointOnScreen(*place), *box])
+        x, y = view.getPointOnScreen(*place)
+        across, up = (
+            path.getTail().getField(name).get().getString()
+            for name in ("horAlignment", "vertAlignment")
+        )
+        low = x - box[0] * (across == "RIGHT"), y - box[1] * (up == "TOP")
+        found.append([text, *low, *box])
     return found
 
 
@@ -78,6 +84,12 @@ def has_legend():
     return sizes
 
 
+def colour_of(view):
+    """Of its faces, of an axis of its line; none of what is not seen in the 3D view."""
+    is_line = view.Object.BT_Type == "Axis"
+    return list(getattr(view, "LineColor" if is_line else "ShapeColor", ()))[:3]
+
+
 def icon_key(obj):
     """The picture of an object's icon as the tree shows it."""
     icon = obj.ViewObject.Proxy.getIcon()
@@ -97,6 +109,7 @@ def saved_without_window():
         "visible": {item.Label: item.ViewObject.Visibility for item in mine},
         "tree": steps.tree_items(),
         "legend": has_legend(),
+        "colours": {item.BT_Type: colour_of(item.ViewObject) for item in mine},
         "bounds": list(ours("PlateSet")[0].ViewObject.getBoundingBox().Center),
     }
     steps.picture("view_colours")
@@ -194,6 +207,37 @@ def modes():
     return result
 
 
+def fitted():
+    """FreeCAD's own fit, and the members' by command: all, then one that is selected. How much of
+    the view each plate set takes, and what is selected then."""
+    view, surface = FreeCADGui.ActiveDocument.ActiveView, by_label("Dome")
+    surface.ViewObject.Visibility = True
+    view.viewIsometric()
+
+    def taken():
+        steps.settle(2)
+        room, found = view.getSize(), []
+        for plates in ours("PlateSet"):
+            at = [view.getPointOnScreen(v.Point) for v in plates.Shape.Vertexes]
+            across, up = ([p[k] / room[k] for p in at] for k in (0, 1))
+            found.append([min(across), max(across), min(up), max(up)])
+        return found
+
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    result = {"everything": taken()}
+    FreeCADGui.runCommand("BendTorsion_FitMembers")
+    result["members"] = taken()
+    steps.picture("view_fit")
+    FreeCADGui.Selection.addSelection(by_label("M2"))
+    FreeCADGui.runCommand("BendTorsion_FitMembers")
+    result["one"] = taken()
+    result["selected"] = [item.Label for item in FreeCADGui.Selection.getSelection()]
+    result["surface"] = surface.ViewObject.Visibility, steps.drawn(surface)
+    FreeCADGui.Selection.clearSelection()
+    return result
+
+
 def errors():
     """A section that cannot be, then mended: icons, visibility, status bar, report view."""
     from BendTorsionWB.gui import tree
@@ -214,14 +258,14 @@ def errors():
     result["status"] = plates.Status
     result["worst"] = [tree.worst(item) for item in (section, plates, member)]
     result["icons"] = [icon_key(item)[1] for item in (section, plates, member)]
-    result["visible"] = plates.ViewObject.Visibility, plates.ViewObject.isVisible()
+    result["visible"] = plates.ViewObject.Visibility, steps.drawn(plates)
     FreeCADGui.runCommand("Std_TreeExpand")
     steps.picture("view_error")
     section.Thickness = 16.0
     FreeCAD.ActiveDocument.recompute()
     steps.settle()
     result["icons_after"] = [icon_key(item)[1] for item in (section, plates, member)]
-    result["visible_after"] = plates.ViewObject.Visibility, plates.ViewObject.isVisible()
+    result["visible_after"] = plates.ViewObject.Visibility, steps.drawn(plates)
     result["said"] = steps.report_view()[len(before) :]
     return result
 
@@ -237,7 +281,7 @@ def hidden_in_error():
 
     def seen():
         return {
-            item.Label: [item.ViewObject.Visibility, item.ViewObject.isVisible(), item.Visibility]
+            item.Label: [item.ViewObject.Visibility, steps.drawn(item), item.Visibility]
             for item in (member, plates)
         }
 
@@ -259,6 +303,8 @@ def hidden_in_error():
     result["skin, plates wanted"] = mended(lambda: member_display.show_as([member], "plates"))
     result["plates, skin wanted"] = mended(lambda: member_display.show_as([member], "skin"))
     result["hidden by hand"] = mended(lambda: setattr(member.ViewObject, "Visibility", False))
+    member_display.show_as([member], "plates")
+    result["shown by hand"] = mended(lambda: setattr(member.ViewObject, "Visibility", True))
     member_display.show_as([member], "plates")
     return result
 
@@ -296,6 +342,7 @@ steps.run(
     thinning,
     frames,
     modes,
+    fitted,
     errors,
     hidden_in_error,
     warnings,

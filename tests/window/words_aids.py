@@ -11,11 +11,12 @@ ROLES = (QtCore.Qt.DisplayRole, QtCore.Qt.ToolTipRole)
 def texts_of(widget, but=()):
     """Texts and tooltips of a widget and all in it that can be seen, of tables their headings and
     cells; without what stands in widgets named in `but`."""
-    found = []
+    # Kept: with what it takes for the widget above PySide lets go of the widget, too.
+    found, beyond = [], widget.parentWidget()
     for item in (widget, *widget.findChildren(QtGui.QWidget)):
         names = [item.objectName()]
         above = item.parentWidget()
-        while above is not None and above is not widget.parentWidget():
+        while above is not None and above is not beyond:
             names.append(above.objectName())
             above = above.parentWidget()
         if not item.isVisibleTo(widget) or set(names) & set(but):

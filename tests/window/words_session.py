@@ -11,7 +11,7 @@ from PySide import QtGui
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import steps
 from commands_aids import whole_document
-from hands import asked, named, press, run, select, window
+from hands import asked, form, named, press, run, select, window
 from words_aids import menu_texts, model_texts, plain, texts_of
 
 FOLDER = os.path.dirname(os.environ["BENDTORSION_WINDOW_RESULT"])
@@ -66,14 +66,9 @@ def panels():
 
 
 def _panel():
-    forms = [w for w in dock().findChildren(QtGui.QWidget) if _is_form(w)]
     boxes = [box for box in dock().findChildren(QtGui.QDialogButtonBox) if box.isVisible()]
-    return plain([t for form in (*forms, *boxes) for t in texts_of(form, FOUND)])
-
-
-def _is_form(widget):
-    labels = [w for w in widget.children() if isinstance(w, QtGui.QLabel)]
-    return any(label.objectName() == "findings" for label in labels)
+    found = [text for box in boxes for text in texts_of(box)]
+    return plain([*found, *texts_of(form(), FOUND)])
 
 
 def docks():
@@ -133,8 +128,8 @@ def told():
     from BendTorsionWB.gui import ask
     from BendTorsionWB.gui.progress import progress
 
-    said, before = [], ask.tell
-    ask.tell = said.append
+    said, before = [], (ask.tell, ask.warn)
+    ask.tell = ask.warn = said.append
     for _ in range(3):
         run("ShowAs")
     run("Repair")
@@ -148,7 +143,7 @@ def told():
         said.extend(run("SupportBundle"))
     with asked(folder=os.path.join(FOLDER, "package")):
         said.extend(run("ExportPackage"))
-    ask.tell = before
+    ask.tell, ask.warn = before
     bars = []
     with progress(FreeCAD.Qt.translate("BendTorsion", "Export package")) as report:
         report("M1", 1, 2)
@@ -203,6 +198,8 @@ def properties():
     """By kind of object: what the property editor calls the groups of our properties, and tells of
     each of them."""
     document, found = FreeCAD.ActiveDocument, {}
+    # A property editor that is hidden stays empty.
+    steps.side().setVisible(True)
     for obj in document.Objects:
         kind = getattr(obj, "BT_Type", "")
         if not kind or kind in found:
