@@ -18,7 +18,14 @@ class BendTorsionWorkbench(Workbench):
         """Register the commands and lay out the toolbar and the menu."""
         import FreeCADGui
 
-        from BendTorsionWB.gui import commands, preferences_page, resources, status_text
+        from BendTorsionWB.gui import (
+            commands,
+            page_windows,
+            preferences_page,
+            resources,
+            status_text,
+            undone,
+        )
 
         FreeCADGui.addLanguagePath(str(resources.FOLDER / "translations"))
         FreeCADGui.updateLocale()
@@ -28,6 +35,8 @@ class BendTorsionWorkbench(Workbench):
         commands.register()
         commands.lay_out(self)
         status_text.watch()
+        undone.watch()
+        page_windows.watch()
 
     def ContextMenu(self, recipient):
         """Offer what suits the selection, in the 3D view and in the tree."""

@@ -17,14 +17,14 @@ demo: packages  ## build the concert hall into build/concert_hall
 	@echo "Cut files:         $(DEMO)/plates/*.dxf"
 	@echo "Lofting data:      $(DEMO)/results.xlsx"
 
-# A file's tests stay together: they share fixtures, folders and pictures. One worker more than there
+# A file's tests stay together: they share fixtures, folders and pictures. Two workers more than there
 # are processors: sessions in FreeCAD's window wait for it to settle.
-TOGETHER = -n $(shell expr $$(nproc) + 1) --dist loadfile
+TOGETHER = -n $(shell expr $$(nproc) + 2) --dist loadfile
 
 # Every program the tests start would compile the whole package anew.
 test: export PYTHONDONTWRITEBYTECODE =
-test: packages  ## run every test, one worker more than processors
-	@$(PYTHON) -m pytest $(TOGETHER)
+test: packages  ## run the everyday tests; with ALL=1 the slow ones too
+	@$(PYTHON) -m pytest $(TOGETHER) $(if $(ALL),,-m "not slow")
 
 # Newer releases would bring a numpy that Debian's scipy does not load with.
 OPTIONAL = rhino3dm==8.17.0 distributed==2024.5.0 dask==2024.5.0

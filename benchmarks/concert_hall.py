@@ -401,7 +401,7 @@ def main():
             [sys.executable, "-m", "BendTorsionWB", "build", str(HALL), "--out", str(out)],
             cwd=ROOT,
             capture_output=True,
-            text=True,
+            encoding="utf-8",
         )
         spent = time.perf_counter() - start
         if build.returncode:

@@ -40,7 +40,7 @@ def found_at(one, place, known, kept):
     if key not in known:
         known[key] = tried(one, place)
         if kept is not None:
-            with open(kept, "a") as stream:
+            with open(kept, "a", encoding="utf-8") as stream:
                 stream.write(json.dumps([*key, *known[key]]) + "\n")
     return known[key]
 
@@ -48,7 +48,9 @@ def found_at(one, place, known, kept):
 def main():
     wanted = int(sys.argv[1]) if len(sys.argv) > 1 else 500
     kept = Path(sys.argv[2]) if len(sys.argv) > 2 else None
-    lines = kept.read_text().splitlines() if kept is not None and kept.exists() else []
+    lines = (
+        kept.read_text(encoding="utf-8").splitlines() if kept is not None and kept.exists() else []
+    )
     known = {tuple(key): (lost, stuck) for *key, lost, stuck in map(json.loads, lines)}
     start = time.time()
     # Known before the first fork: sources edited meanwhile would be another program's cache.

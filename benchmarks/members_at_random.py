@@ -136,7 +136,7 @@ def outcomes(count, kept=None):
     """Print the table of what became of `count` members; how many nobody can explain."""
     known = {}
     if kept is not None and kept.exists():
-        lines = kept.read_text().split("\n")[:-1]
+        lines = kept.read_text(encoding="utf-8").split("\n")[:-1]
         known = {found["seed"]: Outcome(**found) for found in map(json.loads, lines)}
     seeds = [seed for seed in range(count) if seed not in known]
     start = time.time()
@@ -145,7 +145,7 @@ def outcomes(count, kept=None):
         for found in pool.imap_unordered(outcome, seeds, chunksize=20):
             known[found.seed] = found
             if kept is not None:
-                with open(kept, "a") as stream:
+                with open(kept, "a", encoding="utf-8") as stream:
                     stream.write(json.dumps(asdict(found)) + "\n")
     all_found = [known[seed] for seed in range(count)]
     kinds = Counter(found.kind for found in all_found)

@@ -51,7 +51,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder)
         result = project.build(HALL, out, workers=2)
-        stages = json.loads((out / "timing.json").read_text())
+        stages = json.loads((out / "timing.json").read_text(encoding="utf-8"))
         beyond = sum(s for name, s in stages.items() if name not in MODEL_STAGES | {"total"})
         print(", ".join(f"{name} {spent:.1f}" for name, spent in stages.items()))
         good &= row("files beyond the model build, 2 workers", beyond, 90.0, "s")

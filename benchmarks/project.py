@@ -15,7 +15,9 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 os.environ.setdefault("QT_HASH_SEED", "0")
 
 import math
+import multiprocessing
 import resource
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -37,11 +39,13 @@ import openpyxl  # noqa: E402
 from BendTorsionWB import project  # noqa: E402
 from BendTorsionWB.core import memo  # noqa: E402
 from BendTorsionWB.core.collection import leave_to_the_end  # noqa: E402
-from BendTorsionWB.core.parallel import workers_for  # noqa: E402
+from BendTorsionWB.core.worker_processes import Workers  # noqa: E402
 from BendTorsionWB.exchange.schedule_writer import write_schedule  # noqa: E402
 from BendTorsionWB.project import Wanted  # noqa: E402
 
 SPLIT = 10
+ROUNDS = 5
+"""Of one process and two in turn, of which the medians count: processors change their speed."""
 PLATES_PER_MEMBER = 20
 JOINTS = {"left": "0.2 0.4 0.6 0.8 1", "right": "0.15 0.35 0.45 0.75 1"}
 JOINTS |= {"top": "0.1 0.3 0.55 0.85 1", "bottom": "0.25 0.5 0.65 0.9 1"}
@@ -112,7 +116,7 @@ def measured(*arguments) -> dict:
     done = subprocess.run(
         [sys.executable, __file__, *map(str, arguments)],
         capture_output=True,
-        text=True,
+        encoding="utf-8",
         cwd=ROOT,
     )
     if done.returncode:
@@ -146,24 +150,56 @@ def size(out: Path, pattern: str) -> float:
 
 
 def core(path: str, count: str) -> None:
-    """What the measured process does: CPU seconds per member of 20 plates, and wall seconds of one
-    process and of two workers."""
+    """What the measured process does: CPU seconds per member of 20 plates, and wall seconds of this
+    process alone, of one worker and of two."""
     count = int(count)
     schedule, jobs = project.read_jobs(path, [f"M{n + 1}" for n in range(min(count, 48))])
-    cpu, start = time.process_time(), time.perf_counter()
-    detailed = project.compute(schedule, jobs)
-    one = time.perf_counter() - start
-    cpu = time.process_time() - cpu
-    memo.forget_all()
-    plates = sum(len(item.record.plates) for item in detailed.values())
-    with workers_for(2, len(jobs)) as executor:
-        # Started before the clock: a building starts them once.
-        list(executor.map(abs, range(8)))
-        start = time.perf_counter()
-        project.compute(schedule, jobs, executor)
-        two = time.perf_counter() - start
-    for name, seconds in (("each", cpu / plates * PLATES_PER_MEMBER), ("one", one), ("two", two)):
-        print(f"@{name} {seconds}")
+    cpu, runs = [], {"alone": [], "one": [], "two": [], "apart": []}
+    for _ in range(ROUNDS):
+        memo.forget_all()
+        used, start = time.process_time(), time.perf_counter()
+        detailed = project.compute(schedule, jobs)
+        runs["alone"].append(time.perf_counter() - start)
+        cpu.append(time.process_time() - used)
+        plates = sum(len(item.record.plates) for item in detailed.values())
+        for name, count in (("one", 1), ("two", 2)):
+            memo.forget_all()
+            with Workers(count) as executor:
+                # Started before the clock: a building starts them once.
+                list(executor.map(abs, range(8)))
+                start = time.perf_counter()
+                project.compute(schedule, jobs, executor)
+                runs[name].append(time.perf_counter() - start)
+        memo.forget_all()
+        runs["apart"].append(_apart(schedule, jobs))
+    print(f"@each {statistics.median(cpu) / plates * PLATES_PER_MEMBER}")
+    for name, seconds in runs.items():
+        print(f"@{name} {statistics.median(seconds)}")
+
+
+def _apart(schedule, jobs) -> float:
+    """Seconds until two processes are done that compute half of the members each and share nothing,
+    results neither: what two processors of this machine can do at best."""
+    context = multiprocessing.get_context("fork")
+    ready = context.Barrier(3)
+    items = list(jobs.items())
+    processes = [
+        context.Process(target=_half, args=(schedule, dict(items[k::2]), ready)) for k in range(2)
+    ]
+    for process in processes:
+        process.start()
+    ready.wait()
+    start = time.perf_counter()
+    for process in processes:
+        process.join()
+    return time.perf_counter() - start
+
+
+def _half(schedule, jobs, ready) -> None:
+    ready.wait()
+    project.compute(schedule, jobs)
+    # Without the interpreter's own end.
+    os._exit(0)
 
 
 def row(what: str, value: float, limit: float | None = None, least: bool = False) -> None:
@@ -221,7 +257,9 @@ def main(counts: list[int], kept: Path | None = None) -> None:
             if count == max(counts):
                 alone = measured("--core", path, count)
                 row("core, s per member of 20 plates and core", alone["each"], 0.12)
-                row("two workers against one, times", alone["one"] / alone["two"], 1.7, True)
+                row("two workers against one worker, times", alone["one"] / alone["two"], 1.7, True)
+                row("two workers against no worker, times", alone["alone"] / alone["two"])
+                row("two processes that share nothing, times", alone["alone"] / alone["apart"])
     if len(times) > 1:
         low, high = min(times), max(times)
         row("growth, exponent", math.log(times[high] / times[low]) / math.log(high / low), 1.1)

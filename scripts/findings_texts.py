@@ -56,6 +56,7 @@ class Module:
         self.path = path
         within = list(ast.walk(tree))
         self.names = assigned(tree.body)
+        self.body = tree.body
         self.functions = [
             Function(node, self) for node in within if isinstance(node, ast.FunctionDef)
         ]
@@ -179,7 +180,9 @@ class Texts:
         if name in ("get", "strip", "rstrip", "format"):
             self.say(node.func.value, own, names, module, inside)
         for function in self.functions.get(name, ()):
-            if function.module is module or name in module.imports:
+            # What is imported is no method.
+            own_file, outermost = function.module is module, function.node in function.module.body
+            if own_file or (name in module.imports and outermost):
                 for value in function.returns:
                     self.say(value, function, function.names, function.module, inside)
 

@@ -5,7 +5,7 @@ set -eu
 
 packages="freecad python3-numpy python3-scipy python3-ezdxf python3-openpyxl python3-pytest
 python3-pytest-xdist python3-hypothesis
-xvfb xauth poppler-utils fonts-wqy-microhei"
+xvfb xauth libxtst6 poppler-utils fonts-wqy-microhei"
 
 if ! command -v dpkg-query >/dev/null 2>&1; then
     echo "BendTorsion: not a Debian system, nothing installed; it needs the equivalents of:" \

@@ -1,18 +1,23 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The test suite under other releases of FreeCAD and other libraries, each in a lane of its own.
 
-`/usr/bin/python3 scripts/lanes.py` runs every lane in turn; names choose some, and what stands
-after `--` goes to pytest. A lane of FreeCAD is a Debian suite in build/lanes/<suite>, made by
-debootstrap with the packages scripts/install-debian.sh asks for; it needs root. Mirrors, proxies
+`/usr/bin/python3 scripts/lanes.py` runs every lane in turn, each with as many workers as `make
+test`, while the next ones are made; names choose some, and what stands after `--` goes to pytest
+instead of the workers. A lane of FreeCAD is a Debian suite in build/lanes/<suite>, made by
+debootstrap with the packages scripts/install-debian.sh asks for; it needs root. On a machine that
+is such a suite itself `make test` is that lane, and its tests are not run twice. Mirrors, proxies
 and checks are those of this machine's own apt. A lane of libraries is a venv without FreeCAD, for
 the tests that need none. docs/versions.md says what runs where.
 
-A lane that cannot be made here is named as not run. Exit code: 1 when a test failed in a lane.
+What fails beside other tests is run again one after another: sessions in FreeCAD's window have
+limits by the clock. A lane that cannot be made here, or is not done in --minutes for all, is named
+as not run. Exit code: 1 when a test failed in a lane, and failed again.
 """
 
 from __future__ import annotations
 
 import argparse
+import math
 import os
 import platform
 import shlex
@@ -21,21 +26,27 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
-from threading import Lock
 
 ROOT = Path(__file__).resolve().parent.parent
 LANES = ROOT / "build" / "lanes"
 CHECKOUT = "checkout"
+TESTS_FAILED = 1
+"""Exit code of pytest; others tell that it could not run."""
 QUIET = {"stdin": subprocess.DEVNULL}
-_making, _printing = Lock(), Lock()
+WORKERS = ["-n", str((os.cpu_count() or 1) + 2), "--dist", "loadfile"]
+"""As `make test` has them: sessions in FreeCAD's window wait for it to settle."""
 NEWEST_SCRIPT = Path("/usr/share/debootstrap/scripts/sid")
 
 
 class NotHere(Exception):
     """Why a lane cannot be run on this machine."""
+
+
+class OutOfTime(Exception):
+    """The time for all lanes is over."""
 
 
 @dataclass(frozen=True)
@@ -74,18 +85,31 @@ class Place:
     inside: Path
 
 
-def run_suite(suite: Suite, arguments: list[str]) -> int:
-    """Run the suite's tests and save a document there; 0 when all is well. Raises NotHere."""
-    place = _made(suite)
+def run_suite(suite: Suite, place: Place, arguments: list[str], until: float) -> tuple[int, str]:
+    """Run the suite's tests and save a document there; 0 when all is well, and what is to be told.
+    Raises OutOfTime."""
     if place.root != Path("/"):
         copy_checkout(place.folder)
-    code = 0
+    code, told = 0, ""
     if arguments or place.root != Path("/"):
         # On the machine itself `make test` has run the suite.
-        command = f"/usr/bin/python3 -m pytest -q {shlex.join(arguments)}"
-        code = _reported(suite.name, _inside, place, command)
+        code, told = _tested(
+            lambda given: _inside(
+                place, f"/usr/bin/python3 -m pytest -q {shlex.join(given)}", until
+            ),
+            arguments,
+        )
     command = f"/usr/bin/python3 tests/carried_document.py save build/carried/{suite.name}"
-    return _inside(place, command) or code
+    return _inside(place, command, until) or code, told
+
+
+def _tested(run: Callable[[list[str]], int], arguments: list[str]) -> tuple[int, str]:
+    """Exit code of pytest, `run` with what it is given, and whether some passed only alone."""
+    code = run(arguments or WORKERS)
+    if code != TESTS_FAILED or arguments:
+        return code, ""
+    print("== what failed, again one after another", flush=True)
+    return run(["--last-failed"]), ", some tests only when run again alone"
 
 
 def compare_carried(suites: Sequence[Suite]) -> list[int]:
@@ -94,6 +118,9 @@ def compare_carried(suites: Sequence[Suite]) -> list[int]:
     for suite in (item for item in SUITES if item in suites):
         place = _place(suite)
         own = place.folder / "build" / "carried" / suite.name
+        if not own.is_dir():
+            # It was not run whole.
+            continue
         for former in older:
             target = own.with_name(former.name)
             if target != former:
@@ -102,8 +129,7 @@ def compare_carried(suites: Sequence[Suite]) -> list[int]:
             print(f"== {former.name} opened in {suite.name}", flush=True)
             command = "/usr/bin/python3 tests/carried_document.py compare"
             codes.append(_inside(place, f"{command} build/carried/{former.name}"))
-        if own.is_dir():
-            older.append(own)
+        older.append(own)
     return codes
 
 
@@ -114,30 +140,18 @@ def _place(suite: Suite) -> Place:
     return Place(root, root / CHECKOUT, Path("/") / CHECKOUT)
 
 
-def _made(suite: Suite) -> Place:
-    """The place of a lane, with what the checkout asks for. Raises NotHere."""
+def make_suite(suite: Suite, until: float) -> Place:
+    """The place of a lane, with what the checkout asks for. Raises NotHere and OutOfTime."""
     place = _place(suite)
     if place.root == Path("/"):
         subprocess.run(["sh", "scripts/install-debian.sh"], cwd=ROOT, check=True, **QUIET)
     else:
-        with _making:
-            make_chroot(suite)
+        make_chroot(suite, until)
     return place
 
 
-def _reported(name: str, run: Callable[..., int], *arguments) -> int:
-    """Run something that takes a stream for what it prints, and print that in one piece."""
-    LANES.mkdir(parents=True, exist_ok=True)
-    log = LANES / f"{name}.txt"
-    with open(log, "w", encoding="utf-8") as stream:
-        code = run(*arguments, stream=stream)
-    with _printing:
-        print(f"== {name}", log.read_text(encoding="utf-8", errors="replace"), sep="\n", flush=True)
-    return code
-
-
-def make_chroot(suite: Suite) -> None:
-    """Bring build/lanes/<suite> up to what the checkout asks for. Raises NotHere."""
+def make_chroot(suite: Suite, until: float) -> None:
+    """Bring build/lanes/<suite> up to what the checkout asks for. Raises NotHere and OutOfTime."""
     if os.geteuid() != 0:
         raise NotHere("needs root")
     root = LANES / suite.name
@@ -146,20 +160,20 @@ def make_chroot(suite: Suite) -> None:
     if done.exists() and done.read_text(encoding="utf-8") == wanted:
         return
     if not done.exists():
-        _debootstrap(suite, root)
+        _debootstrap(suite, root, until)
     shutil.copy("/etc/resolv.conf", root / "etc" / "resolv.conf")
     _write_apt(root)
     shutil.copy(ROOT / "scripts" / "install-debian.sh", root / "tmp" / "install-debian.sh")
     need = "apt-get update -q >/dev/null && sh /tmp/install-debian.sh >/dev/null"
     # What the tests call themselves.
     need += " && apt-get install -y -q --no-install-recommends make git >/dev/null"
-    if _inside(Place(root, root, Path("/")), need):
+    if _inside(Place(root, root, Path("/")), need, until):
         raise NotHere("its packages could not be installed")
     done.write_text(wanted, encoding="utf-8")
 
 
-def _debootstrap(suite: Suite, root: Path) -> None:
-    """The base system of a suite, whole or not at all."""
+def _debootstrap(suite: Suite, root: Path, until: float) -> None:
+    """The base system of a suite, whole or not at all. Raises NotHere and OutOfTime."""
     if shutil.which("debootstrap") is None:
         if shutil.which("apt-get") is None:
             raise NotHere("needs debootstrap")
@@ -175,7 +189,7 @@ def _debootstrap(suite: Suite, root: Path) -> None:
     command += [suite.name, str(root), mirror, str(NEWEST_SCRIPT)]
     log = LANES / f"{suite.name}.log"
     with open(log, "w", encoding="utf-8") as stream:
-        made = subprocess.run(command, stdout=stream, stderr=subprocess.STDOUT, **QUIET)
+        made = _run(command, until, stdout=stream, stderr=subprocess.STDOUT)
     if made.returncode:
         shutil.rmtree(root, ignore_errors=True)
         last = log.read_text(encoding="utf-8", errors="replace").strip().splitlines()[-1:]
@@ -215,16 +229,15 @@ def copy_checkout(folder: Path) -> None:
         subprocess.run(["git", *command], cwd=folder, check=True, **QUIET)
 
 
-def _inside(place: Place, command: str, stream=None) -> int:
-    """Exit code of a shell command in the checkout of a lane; stream: a file for what it prints.
+def _inside(place: Place, command: str, until: float = math.inf) -> int:
+    """Exit code of a shell command in the checkout of a lane. Raises OutOfTime.
 
     The lane's mounts and processes live in namespaces of their own and end with the command, so
     that nothing stays mounted under build/.
     """
-    told = {**QUIET, "stdout": stream, "stderr": subprocess.STDOUT if stream else None}
     root = place.root
     if root == Path("/"):
-        return subprocess.run(["sh", "-c", command], cwd=place.folder, **told).returncode
+        return _run(["sh", "-c", command], until, cwd=place.folder).returncode
     mounts = (
         f"mount -t proc proc {root}/proc && mount --rbind /dev {root}/dev && "
         f"mount -t tmpfs tmpfs {root}/run && "
@@ -233,7 +246,16 @@ def _inside(place: Place, command: str, stream=None) -> int:
     within = f"cd {place.inside} && {command}"
     enter = f"exec env -i {_proxies()} {environment} chroot {root} sh -c {shlex.quote(within)}"
     apart = ["unshare", "--mount", "--pid", "--fork", "--kill-child"]
-    return subprocess.run([*apart, "sh", "-c", mounts + enter], **told).returncode
+    return _run([*apart, "sh", "-c", mounts + enter], until).returncode
+
+
+def _run(command: list[str], until: float, **given) -> subprocess.CompletedProcess:
+    """A command that is stopped at a moment of the monotonic clock. Raises OutOfTime."""
+    left = None if until == math.inf else max(until - time.monotonic(), 0.0)
+    try:
+        return subprocess.run(command, timeout=left, **QUIET, **given)
+    except subprocess.TimeoutExpired:
+        raise OutOfTime from None
 
 
 def _proxies() -> str:
@@ -241,8 +263,8 @@ def _proxies() -> str:
     return " ".join(f"{name}={shlex.quote(os.environ[name])}" for name in names)
 
 
-def run_libraries(lane: Libraries, arguments: list[str]) -> int:
-    """Run the tests that need no FreeCAD with other libraries."""
+def make_libraries(lane: Libraries, until: float) -> Path:
+    """The Python of a venv with what the lane asks for. Raises NotHere and OutOfTime."""
     python = _python(lane.python)
     folder = LANES / lane.name
     folder.parent.mkdir(parents=True, exist_ok=True)
@@ -252,17 +274,21 @@ def run_libraries(lane: Libraries, arguments: list[str]) -> int:
         shutil.rmtree(folder, ignore_errors=True)
         made = subprocess.run([python, "-m", "venv", str(folder)], **QUIET).returncode == 0
         install = [str(folder / "bin" / "pip"), "install", "-q", *shlex.split(wanted)]
-        if not made or subprocess.run(install, **QUIET).returncode:
+        if not made or _run(install, until).returncode:
             raise NotHere("its packages could not be installed")
         stamp.write_text(wanted, encoding="utf-8")
+    return folder / "bin" / "python"
+
+
+def run_libraries(python: Path, arguments: list[str], until: float) -> tuple[int, str]:
+    """Run the tests that need no FreeCAD with other libraries; 0 when all is well, and what is to
+    be told. Raises OutOfTime."""
     environment = os.environ | {"BENDTORSION_WITHOUT_FREECAD": "1"}
-    command = [str(folder / "bin" / "python"), "-m", "pytest", "-q", *arguments]
-    return _reported(lane.name, _run, command, environment)
-
-
-def _run(command: list[str], environment: dict[str, str], stream) -> int:
-    told = {**QUIET, "stdout": stream, "stderr": subprocess.STDOUT}
-    return subprocess.run(command, cwd=ROOT, env=environment, **told).returncode
+    command = [str(python), "-m", "pytest", "-q"]
+    return _tested(
+        lambda given: _run([*command, *given], until, cwd=ROOT, env=environment).returncode,
+        arguments,
+    )
 
 
 def _python(release: str) -> str:
@@ -284,7 +310,7 @@ def _host_suite() -> str:
 
 
 def _output(*command: str) -> str:
-    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    return subprocess.run(command, check=True, capture_output=True, encoding="utf-8").stdout
 
 
 def main() -> int:
@@ -294,36 +320,63 @@ def main() -> int:
     parser.add_argument("--make", action="store_true", help="make the chroots, run nothing")
     given = sys.argv[1:]
     arguments = given[given.index("--") + 1 :] if "--" in given else []
+    parser.add_argument(
+        "--minutes", type=float, default=math.inf, help="for all lanes; none: no end"
+    )
     chosen = parser.parse_args(given[: given.index("--")] if "--" in given else given)
     unknown = [name for name in chosen.lanes if name not in names]
     if unknown:
         parser.error(f"no such lane: {', '.join(unknown)}; there are {', '.join(names)}")
     lanes = [names[name] for name in chosen.lanes or names]
-    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        ends = [pool.submit(run_lane, lane, arguments, chosen.make) for lane in lanes]
-        results = [end.result() for end in ends]
+    # Those of libraries are made in seconds: while they run, the suites are.
+    lanes.sort(key=lambda lane: isinstance(lane, Suite))
+    start = time.monotonic()
+    until = start + chosen.minutes * 60
+    with ThreadPoolExecutor(1) as maker:
+        made = [maker.submit(make, lane, until) for lane in lanes]
+        results = [
+            run_lane(lane, one, arguments, chosen.make, until)
+            for lane, one in zip(lanes, made, strict=True)
+        ]
     codes = [code for code, _ in results]
     if not chosen.make:
-        codes += compare_carried([lane for lane in lanes if isinstance(lane, Suite)])
-    print("\n".join(["== lanes", *(line for _, line in results)]), flush=True)
+        there = [lane for lane, one in zip(lanes, made, strict=True) if not one.exception()]
+        codes += compare_carried([lane for lane in there if isinstance(lane, Suite)])
+    used = os.times()
+    processor = (used.children_user + used.children_system) / 60
+    total = f"all, made and run: {_minutes_since(start)}, {processor:.1f} min of processor"
+    print("\n".join(["== lanes", *(line for _, line in results), total]), flush=True)
     return 1 if any(codes) else 0
 
 
-def run_lane(lane: Suite | Libraries, arguments: list[str], only_make: bool) -> tuple[int, str]:
-    """Make and run a lane; its exit code, and a line on how it went."""
-    start = time.monotonic()
+def make(lane: Suite | Libraries, until: float) -> Place | Path:
+    """Where a lane runs. Raises NotHere and OutOfTime."""
+    return make_suite(lane, until) if isinstance(lane, Suite) else make_libraries(lane, until)
+
+
+def run_lane(
+    lane: Suite | Libraries, made: Future, arguments: list[str], only_make: bool, until: float
+) -> tuple[int, str]:
+    """Run a lane once it is made; its exit code, and a line on how it went."""
     try:
-        if isinstance(lane, Libraries):
-            code = run_libraries(lane, arguments)
-        elif only_make:
-            _made(lane)
-            code = 0
+        place = made.result()
+        if only_make:
+            return 0, f"{lane.name}: made"
+        print(f"== {lane.name}", flush=True)
+        start = time.monotonic()
+        if isinstance(lane, Suite):
+            code, told = run_suite(lane, place, arguments, until)
         else:
-            code = run_suite(lane, arguments)
+            code, told = run_libraries(place, arguments, until)
     except NotHere as reason:
         return 0, f"{lane.name}: not run: {reason}"
-    minutes = (time.monotonic() - start) / 60
-    return code, f"{lane.name}: {'FAILED' if code else 'passed'} in {minutes:.1f} min"
+    except OutOfTime:
+        return 0, f"{lane.name}: not run whole: the time for all lanes was over"
+    return code, f"{lane.name}: {'FAILED' if code else 'passed'} in {_minutes_since(start)}{told}"
+
+
+def _minutes_since(start: float) -> str:
+    return f"{(time.monotonic() - start) / 60:.1f} min"
 
 
 if __name__ == "__main__":

@@ -28,6 +28,7 @@ KERNEL = {
         *("test_cells.py", "test_zones.py", "test_zone_table.py", "test_surface_alignment.py"),
         *("test_skin_volume.py", "test_plates.py", "test_detailing.py", "test_thickness.py"),
     ),
+    "members/mitres.py": ("test_strips.py", "test_thickness.py", "test_mathematics.py"),
     "members/strips.py": ("test_strips.py", "test_plates.py"),
     "members/volume.py": ("test_skin_volume.py", "test_strips.py"),
     "flattening/development.py": ("test_development.py", "test_development_modes.py"),
@@ -38,7 +39,9 @@ KERNEL = {
 
 def run(*command, **options):
     """Run a command in the copy; its output. SystemExit with its last lines when it fails."""
-    done = subprocess.run(command, cwd=COPY, capture_output=True, text=True, check=False, **options)
+    done = subprocess.run(
+        command, cwd=COPY, capture_output=True, encoding="utf-8", check=False, **options
+    )
     if done.returncode:
         sys.exit(f"{' '.join(command)}\n{(done.stdout + done.stderr)[-3000:]}")
     return done.stdout
@@ -47,14 +50,14 @@ def run(*command, **options):
 def prepare():
     """cosmic-ray installed, and a fresh copy of what git keeps."""
     stamp = HOME / ".installed"
-    if not stamp.is_file() or stamp.read_text() != LIBRARY:
+    if not stamp.is_file() or stamp.read_text(encoding="utf-8") != LIBRARY:
         HOME.mkdir(parents=True, exist_ok=True)
         subprocess.run(
             [sys.executable, "-m", "venv", "--system-site-packages", HOME / "venv"], check=True
         )
         pip = [HOME / "venv" / "bin" / "pip", "install", "--quiet"]
         subprocess.run([*pip, "--disable-pip-version-check", LIBRARY], check=True)
-        stamp.write_text(LIBRARY)
+        stamp.write_text(LIBRARY, encoding="utf-8")
     shutil.rmtree(COPY, ignore_errors=True)
     names = subprocess.run(
         ["git", "ls-files", "-co", "--exclude-standard", "-z"],
@@ -126,7 +129,8 @@ def main():
             f"timeout = {TIME_LIMIT}\n"
             "excluded-modules = []\n"
             f'test-command = "{sys.executable} -m pytest -x -q -p no:cacheprovider {asked}"\n'
-            '[cosmic-ray.distributor]\nname = "local"\n'
+            '[cosmic-ray.distributor]\nname = "local"\n',
+            encoding="utf-8",
         )
         ray = str(HOME / "venv" / "bin" / "cosmic-ray")
         run(ray, "baseline", str(config))
