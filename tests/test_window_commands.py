@@ -215,6 +215,16 @@ def test_findings_are_listed_and_shown_where_they_are(window):
     assert seen["off_place"] < 1.0
 
 
+def test_keys_in_the_findings_go_where_a_click_does(window):
+    """And keep the keyboard; a list filled anew goes nowhere."""
+    at_row, off, has_keys, marked, after = step(window, "findings")["by_keys"]
+    assert at_row and off < 1.0 and has_keys and after == 0
+
+
+def test_headings_of_docks_follow_the_language(window):
+    assert step(window, "findings")["headings"] == [["对象", "段"], ["object", "segment"]]
+
+
 def test_a_panel_edits_its_own_document_and_goes_with_it(window):
     """Another document being active does not matter."""
     seen = step(window, "documents")

@@ -8,6 +8,7 @@ from abc import abstractmethod
 import FreeCAD
 import FreeCADGui
 
+from BendTorsionWB.gui import standard_buttons
 from BendTorsionWB.gui.qt import QtCore, QtWidgets
 
 LEAST_HEIGHT = 280
@@ -39,6 +40,16 @@ class DocumentDock(QtWidgets.QDockWidget):
 
     def forget_document(self, name: str) -> None:
         """Drop what is kept of a document that goes: another may have its name."""
+
+    def name(self) -> None:
+        """Name what `refresh` does not, in the language of the window."""
+
+    def changeEvent(self, event):
+        """In another language once the window is."""
+        super().changeEvent(event)
+        standard_buttons.name_again(event, self.name)
+        if event.type() == QtCore.QEvent.LanguageChange:
+            self.soon()
 
     def soon(self) -> None:
         """Refresh when FreeCAD is done with what it does."""

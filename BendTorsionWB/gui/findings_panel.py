@@ -1,27 +1,23 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""All findings of the document in a dock; a click selects the object and goes to the place."""
+"""All findings of the document in a dock; a click, or a key that makes a row the current one,
+selects what it is about and goes to the place."""
 
 from __future__ import annotations
-
-import re
 
 import FreeCAD
 import FreeCADGui
 
-from BendTorsionWB.core.finding import SEVERITIES, BendTorsionError, Finding
-from BendTorsionWB.gui import finding_words, member_display
+from BendTorsionWB.core.finding import SEVERITIES, Finding
+from BendTorsionWB.gui import finding_places, finding_words, member_display
 from BendTorsionWB.gui.dock import DocumentDock, shown
 from BendTorsionWB.gui.qt import QtGui, QtWidgets
 from BendTorsionWB.gui.task_panel import colour_of
-from BendTorsionWB.gui.tree import LINKED_ABOVE
 
 translate = FreeCAD.Qt.translate
 NAME = "BendTorsion_FindingsPanel"
 COLUMNS = ("severity", "object", "position", "message", "value", "limit", "mend")
 AROUND = 3000.0
 """Millimetres seen around a place the view goes to."""
-_S = re.compile(r"\bs (?:= |near )(-?[\d.]+)")
-_XYZ = re.compile(r"x(?:, y, z)? = (-?[\d.]+), (?:y = )?(-?[\d.]+), (?:z = )?(-?[\d.]+)")
 
 
 def show(document) -> FindingsPanel:
@@ -42,40 +38,6 @@ def findings_of(document) -> list[tuple[object, Finding]]:
                 found.setdefault(finding, obj)
     pairs = [(obj, finding) for finding, obj in found.items()]
     return sorted(pairs, key=lambda pair: SEVERITIES.index(pair[1].severity))
-
-
-def owner(document, obj, finding: Finding) -> tuple[object, str]:
-    """The object a finding is about and the sub-element of a plate it names ('' for the whole)."""
-    from BendTorsionWB import make
-
-    for plates in document.Objects:
-        if getattr(plates, "BT_Type", "") == "PlateSet" and finding.object in plates.Marks:
-            names = make.sub_elements(plates, finding.object, "outer")
-            return plates, names[0] if names else ""
-    named = [item for item in document.Objects if item.Label in finding.objects]
-    return (named[0] if named else obj), ""
-
-
-def place_of(obj, finding: Finding) -> FreeCAD.Vector | None:
-    """Where in space a finding is, read from its position: coordinates, or arc length on the axis
-    of its object; None when it names neither."""
-    import numpy as np
-
-    from BendTorsionWB.objects import axis as axis_object
-
-    at = _XYZ.search(finding.position)
-    if at:
-        return FreeCAD.Vector(*map(float, at.groups()))
-    at = _S.search(finding.position)
-    axis = _axis_of(obj)
-    if at is None or axis is None:
-        return None
-    try:
-        core = axis_object.value(axis)
-    except BendTorsionError:
-        return None
-    s = min(max(float(at[1]), 0.0), core.length)
-    return FreeCAD.Vector(*map(float, core.position(np.array([s]))[0]))
 
 
 def view_of(document):
@@ -118,30 +80,32 @@ def _shown_for(obj) -> list:
     return member_display.plates_shown(obj)
 
 
-def _axis_of(obj):
-    while obj is not None and getattr(obj, "BT_Type", "") in LINKED_ABOVE:
-        obj = getattr(obj, LINKED_ABOVE[obj.BT_Type])
-    kind = getattr(obj, "BT_Type", "")
-    return obj.Axis if kind == "Member" else obj if kind == "Axis" else None
-
-
 class FindingsPanel(DocumentDock):
     """A row per finding."""
 
     def __init__(self):
         self.table = QtWidgets.QTableWidget(0, len(COLUMNS))
-        self.table.setHorizontalHeaderLabels([translate("BendTorsion", name) for name in COLUMNS])
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
         self.table.verticalHeader().setDefaultSectionSize(22)
         self.table.horizontalHeader().setStretchLastSection(True)
         self.table.cellClicked.connect(lambda row, _: self.show_row(row))
         self.table.itemActivated.connect(lambda item: self.show_row(item.row()))
+        self.table.currentCellChanged.connect(self._moved)
         self.found: list[tuple[object, Finding]] = []
+        self.filling = False
         super().__init__(NAME, translate("BendTorsion", "Findings"), self.table)
 
     def refresh(self) -> None:
         """List everything found in the document."""
+        self.filling = True
+        try:
+            self._fill()
+        finally:
+            self.filling = False
+
+    def _fill(self) -> None:
+        self.table.setHorizontalHeaderLabels([translate("BendTorsion", name) for name in COLUMNS])
         self.found = findings_of(self.document)
         self.table.setRowCount(len(self.found))
         for r, (_, finding) in enumerate(self.found):
@@ -160,17 +124,27 @@ class FindingsPanel(DocumentDock):
         counts = {f"{name}s": severities.count(name) for name in SEVERITIES}
         self.setWindowTitle(text.format(**counts))
 
+    def _moved(self, row: int, column: int, before: int, _: int) -> None:
+        """Go where a key moved to; a mouse that is pressed tells by its click."""
+        if self.filling or row == before or QtWidgets.QApplication.mouseButtons():
+            return
+        had_keys = self.table.hasFocus()
+        self.show_row(row)
+        if had_keys and not self.table.hasFocus():
+            # A view that comes before a drawing page takes them.
+            self.table.setFocus()
+
     def show_row(self, row: int) -> None:
-        """Select the object of a finding and go to its place."""
+        """Select what a finding is about and go to its place."""
         if not 0 <= row < len(self.found):
             return
         obj, finding = self.found[row]
-        obj, sub = owner(self.document, obj, finding)
+        about, place = finding_places.places_of(self.document, obj, finding)
         FreeCADGui.Selection.clearSelection()
-        FreeCADGui.Selection.addSelection(self.document.Name, obj.Name, sub)
-        for item in _shown_for(obj):
-            FreeCADGui.Selection.addSelection(self.document.Name, item.Name)
-        place = place_of(obj, finding)
+        for item, name in about:
+            FreeCADGui.Selection.addSelection(self.document.Name, item.Name, name)
+            for instead in _shown_for(item):
+                FreeCADGui.Selection.addSelection(self.document.Name, instead.Name)
         if place is not None:
             go_to(self.document, place)
         elif view_of(self.document) is not None:

@@ -38,8 +38,7 @@ class MemberTable(DocumentDock):
     """A row per segment of each member; columns as in a schedule, sizes and lengths beside."""
 
     def __init__(self):
-        headings = [translate("BendTorsion", name) for name in member_rows.COLUMNS]
-        self.table = RowTable(headings)
+        self.table = RowTable(member_rows.COLUMNS)
         self.table.edited.connect(self._edit)
         self.table.left_out.connect(self._tell_left_out)
         self.table.judge = self._reason
@@ -49,17 +48,17 @@ class MemberTable(DocumentDock):
         self.table.horizontalHeader().setStretchLastSection(False)
         self.table.horizontalHeader().setMinimumSectionSize(LEAST_WIDTH)
         self.table.setContextMenuPolicy(QtCore.Qt.ActionsContextMenu)
-        heading = self.table.horizontalHeaderItem(member_rows.COLUMNS.index(member_rows.LENGTH))
-        heading.setToolTip(member_rows.length_words())
+        self.named = []
         bar = QtWidgets.QHBoxLayout()
         for text, keys, run in ((ADD, "Ins", self.add_segment), (REMOVE, "Ctrl+Del", self.remove)):
             sequence = QtGui.QKeySequence(keys)
             self.table.keys.append((sequence, run))
-            action = QtGui.QAction(translate("BendTorsion", text), self.table)
+            action = QtGui.QAction(self.table)
             action.triggered.connect(lambda _=False, run=run: run())
             self.table.addAction(action)
-            button = QtWidgets.QPushButton(translate("BendTorsion", text))
+            button = QtWidgets.QPushButton()
             button.setObjectName(text)
+            self.named += [(action, text), (button, text)]
             button.setToolTip(sequence.toString(QtGui.QKeySequence.NativeText))
             button.clicked.connect(lambda _=False, run=run: run())
             bar.addWidget(button)
@@ -87,7 +86,18 @@ class MemberTable(DocumentDock):
         for keys, down in (("Return", 1), ("Enter", 1), ("Shift+Return", -1), ("Shift+Enter", -1)):
             self.table.keys.append((QtGui.QKeySequence(keys), partial(self.table.go, down)))
         self.sized = False
-        super().__init__(NAME, translate("BendTorsion", "Member table"), whole)
+        super().__init__(NAME, "", whole)
+        self.name()
+
+    def name(self) -> None:
+        """Title, headings and buttons."""
+        self.setWindowTitle(translate("BendTorsion", "Member table"))
+        headings = [translate("BendTorsion", name) for name in member_rows.COLUMNS]
+        self.table.setHorizontalHeaderLabels(headings)
+        length = self.table.horizontalHeaderItem(member_rows.COLUMNS.index(member_rows.LENGTH))
+        length.setToolTip(member_rows.length_words())
+        for item, text in self.named:
+            item.setText(translate("BendTorsion", text))
 
     def add_segment(self) -> None:
         """Divide the segment of the current row in its middle, in one undo step."""

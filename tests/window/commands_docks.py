@@ -4,8 +4,52 @@
 import FreeCAD
 import FreeCADGui
 import steps
-from hands import named, run, window
-from PySide import QtGui
+from hands import key, named, run, window
+from PySide import QtCore, QtGui
+
+
+def off_place(axis_label, s):
+    """How far the middle of the view is from a place on an axis, mm."""
+    import numpy as np
+
+    from BendTorsionWB.objects import axis
+
+    view = FreeCADGui.ActiveDocument.ActiveView
+    camera = view.getCameraNode()
+    eye = FreeCAD.Vector(*camera.position.getValue().getValue())
+    middle = eye + view.getViewDirection() * camera.focalDistance.getValue()
+    place = axis.value(named(axis_label)).position(np.array([s]))[0]
+    return (middle - FreeCAD.Vector(*map(float, place))).Length
+
+
+def by_keys(rows, at):
+    """What is selected, and how far the view is from the place, once the arrow keys have gone from
+    the other rows to the first of some; and after the list is filled anew."""
+    rows.setFocus()
+    rows.setCurrentCell(at[0], 0)
+    for code in (QtCore.Qt.Key_Down, QtCore.Qt.Key_Up):
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.SendMsgToActiveView("ViewFit")
+        steps.settle()
+        key(rows, code)
+        steps.settle()
+    seen = [rows.currentRow() == at[0], off_place("A1", 8000.0), rows.hasFocus()]
+    seen += [[n for s in FreeCADGui.Selection.getSelectionEx() for n in s.SubElementNames]]
+    FreeCADGui.Selection.clearSelection()
+    FreeCAD.ActiveDocument.recompute(None, True)
+    steps.settle()
+    return [*seen, len(FreeCADGui.Selection.getSelection())]
+
+
+def in_chinese(rows):
+    """Headings of both docks in the other language, and back."""
+    table = window().findChild(QtGui.QDockWidget, "BendTorsion_MemberTable").table
+    seen = []
+    for language in ("Chinese Simplified", "English"):
+        FreeCADGui.setLocale(language)
+        steps.settle()
+        seen += [[one.horizontalHeaderItem(1).text() for one in (rows, table)]]
+    return seen
 
 
 def table():
@@ -95,25 +139,17 @@ def findings():
     result["left"] = [rows.item(r, 0).text() for r in range(rows.rowCount())]
     plates = named("M1 plates")
     plates.AutoJoints, plates.JointsTop, plates.JointsLeft = [], [8000.0], [8010.0]
-    plates.JointsBottom = plates.JointsRight = []
+    plates.JointsBottom, plates.JointsRight = [4000.0], [4010.0]
     document.recompute()
     steps.settle()
     at = [r for r in range(rows.rowCount()) if "s = " in rows.item(r, 2).text()]
     result["positions"] = [rows.item(r, 2).text() for r in at]
     rows.cellClicked.emit(at[0], 0)
     steps.settle()
-    view = FreeCADGui.ActiveDocument.ActiveView
-    camera = view.getCameraNode()
-    eye = FreeCAD.Vector(*camera.position.getValue().getValue())
-    middle = eye + view.getViewDirection() * camera.focalDistance.getValue()
-    from BendTorsionWB.objects import axis
-
-    core = axis.value(named("A1"))
-    import numpy as np
-
-    wanted = FreeCAD.Vector(*map(float, core.position(np.array([8000.0]))[0]))
-    result["off_place"] = (middle - wanted).Length
+    result["off_place"] = off_place("A1", 8000.0)
     steps.picture("findings")
+    result["by_keys"] = by_keys(rows, at)
+    result["headings"] = in_chinese(rows)
     for name in ("BendTorsion_FindingsPanel", "BendTorsion_MemberTable"):
         window().findChild(QtGui.QDockWidget, name).hide()
     return result
