@@ -21,8 +21,9 @@ def model():
     section = make.make_section(document, "B", h=HEIGHT, b=BREADTH, t=12)
     member = make.make_member(document, "M1", axis, [section])
     plates = make.make_plates(document, member, {"top": [3000, 6000], "left": [2500]})
-    plates.EdgeSeams, plates.EdgeStarts, plates.EdgeEnds = ["TL", "T1/T2"], ["3500", ""], ["4500", ""]
-    plates.EdgePreps, plates.EdgePlaces, plates.EdgeTests = ["", ""], ["field", ""], ["", ""]
+    plates.EdgeSeams, plates.EdgePreps = ["TL", "T1/T2"], ["", ""]
+    plates.EdgeStarts, plates.EdgeEnds = ["3500", ""], ["4500", ""]
+    plates.EdgePlaces, plates.EdgeTests = ["field", ""], ["", ""]
     document.recompute()
     assert plates.Status == "ok"
     yield document
@@ -42,9 +43,7 @@ def bounds(face):
 
 
 def test_a_long_edge_is_marked_and_not_the_whole_plate(model):
-    [(plates, name, face)], place = marked(
-        model, "M1-L2", "first top, 4000 to 5000 mm on the axis"
-    )
+    [(plates, name, face)], place = marked(model, "M1-L2", "first top, 4000 to 5000 mm on the axis")
     assert plates.Label == "M1 plates" and name.startswith("Face")
     # The left web, its upper narrow face.
     assert bounds(face) == [2500, 9000, 188, 200, 250, 250]

@@ -114,7 +114,8 @@ def limit_findings(record: MemberRecord) -> Iterator[Finding]:
             "axis-rms",
             record.member,
             "the axis is farther from its surface than the limit, as one is that is kept off it",
-            "give more points, or let the axis be pulled onto the surface",
+            "leave it where that is meant; else project its curve onto the surface, or give "
+            "points, or more of them, and fit = pull",
             value=axis,
             limit=AXIS_RMS_LIMIT,
             unit="mm",

@@ -77,7 +77,14 @@ def worst(obj) -> str:
 
 
 def _severity(obj) -> str:
-    found = {json.loads(text)["severity"] for text in getattr(obj, "Findings", ())}
+    """The worst finding of an object by itself: what it repeats of an object it is made from, and
+    works in spite of, has its badge there."""
+    above = {text for item in obj.OutList for text in getattr(item, "Findings", ())}
+    found = {
+        severity
+        for text in getattr(obj, "Findings", ())
+        if (severity := json.loads(text)["severity"]) == "error" or text not in above
+    }
     return "error" if "error" in found else "warning" if "warning" in found else ""
 
 

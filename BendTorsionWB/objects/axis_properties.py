@@ -39,8 +39,8 @@ PROPERTIES = (
         _CHOICE,
         "SourceUse",
         "Axis",
-        "What is picked is an exact curve, or points to fit through; automatic: straight "
-        "pieces are points",
+        "What is picked is an exact curve, which the axis keeps to, or points to fit through; "
+        "automatic: polylines are points",
         "automatic",
         axis_source.USES,
     ),
@@ -100,8 +100,8 @@ PROPERTIES = (
         _CHOICE,
         "Fit",
         "Fit",
-        "pull: the axis through the points is pulled onto the surface; keep: left there; "
-        "offset: held at a distance from it",
+        "Of points: pull brings the axis onto the surface, keep leaves it on them, offset holds it "
+        "at a distance; an axis from a curve keeps to the curve",
         "pull",
         FITS,
     ),

@@ -58,7 +58,14 @@ class Property:
 
 
 BASE_PROPERTIES = (
-    Property("App::PropertyString", "Status", "Result", "ok, or the first error", "", output=True),
+    Property(
+        "App::PropertyString",
+        "Status",
+        "Result",
+        "ok while there is no error, else the first; Findings have warnings, too",
+        "",
+        output=True,
+    ),
     Property(
         "App::PropertyStringList",
         "Findings",

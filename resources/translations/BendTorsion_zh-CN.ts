@@ -588,6 +588,10 @@
         <translation>页序号，从 0 起</translation>
     </message>
     <message>
+        <source>Of points: pull brings the axis onto the surface, keep leaves it on them, offset holds it at a distance; an axis from a curve keeps to the curve</source>
+        <translation>对点而言：pull 把轴线拉到曲面上，keep 使轴线留在各点上，offset 与曲面保持距离；由曲线得到的轴线保持在曲线上</translation>
+    </message>
+    <message>
         <source>Offset along the breadth</source>
         <translation>沿宽度方向的偏移</translation>
     </message>
@@ -1136,8 +1140,8 @@
         <translation>切割文件中坡口边所画的线：展平面的边；划线面（top）的边；坡口与钝边的交线；最外的线</translation>
     </message>
     <message>
-        <source>What is picked is an exact curve, or points to fit through; automatic: straight pieces are points</source>
-        <translation>所选为精确曲线，或要拟合的点；automatic：直线段视为点</translation>
+        <source>What is picked is an exact curve, which the axis keeps to, or points to fit through; automatic: polylines are points</source>
+        <translation>所选为精确曲线（轴线保持在其上），或供拟合的点；automatic：折线视为点</translation>
     </message>
     <message>
         <source>What lies on the axis, or is flush with the segment before</source>
@@ -1288,16 +1292,12 @@
         <translation>m2/m；闭口截面为其外侧</translation>
     </message>
     <message>
-        <source>ok, or the first error</source>
-        <translation>ok，或第一个错误</translation>
+        <source>ok while there is no error, else the first; Findings have warnings, too</source>
+        <translation>没有错误时为 ok，否则为第一个错误；警告也在 Findings 中</translation>
     </message>
     <message>
         <source>place: by Cut or CutRatio; crossing: where CutAxis crosses; point: nearest to CutPoint</source>
         <translation>place：按 Cut 或 CutRatio；crossing：与 CutAxis 相交处；point：距 CutPoint 最近处</translation>
-    </message>
-    <message>
-        <source>pull: the axis through the points is pulled onto the surface; keep: left there; offset: held at a distance from it</source>
-        <translation>pull：把过各点的轴线拉到曲面上；keep：保持原位；offset：与曲面保持距离</translation>
     </message>
     <message>
         <source>punch, line 200, line 200 90deg, or a text</source>

@@ -236,8 +236,9 @@ def curve_findings(name: str, curve: Curve, surface: Surface | None, fit: str) -
         warning(
             "axis-far-from-surface",
             name,
-            "the curve leaves its surface",
-            "choose the surface the axis lies on",
+            "the curve lies off its surface; the axis keeps to the curve",
+            "leave it where the curve is meant; else project the curve onto the surface, give "
+            "points, which are pulled onto it, or choose the surface the curve lies on",
             position=place(samples[worst]),
             value=float(distance[worst]),
             limit=tolerances.POINT_MOVED_WARNING,
