@@ -35,11 +35,13 @@ def test_pages_are_drawn_when_they_are_opened_and_never_stale(window):
 
 
 def test_the_window_of_a_page_goes_and_comes_back_with_its_page(window):
-    """Sheets undone closes it, redone it shows the drawing as before, as often as one likes; so for
-    a page that an edit leaves without a sheet."""
+    """Of sheets just made the one that opens is drawn alone. Sheets undone closes it, redone it
+    shows the drawing as before, as often as one likes; so for a page that an edit leaves without a
+    sheet."""
     found = step(window, "taken_back")
     ((label, dark),) = found["made"].items()
     assert dark > 1000 and found["front"] == "MDI view page"
+    assert found["drawn"] == [label] and found["Undo"][0][1] < found["Redo"][0][1] - 3
     for shown, pages, front in found["Undo"]:
         assert shown == {} and pages == found["Undo"][0][1] and front == "View3DInventor"
     for shown, pages, front in found["Redo"]:

@@ -1,31 +1,38 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Drawing pages are drawn when they are first opened: a building has a hundred, 0.1 s each.
 
-A page that comes from a file waits (its KeepUpdated is off) until it is opened or written as DXF;
-from then on it follows every edit. TechDraw prints and exports only pages that are open.
+A page that is made, or comes from a file, waits (its KeepUpdated is off) until it is opened or
+exported, by a command or a script; from then on it follows every edit.
 """
 
 from __future__ import annotations
+
+import importlib
+from functools import wraps
 
 import FreeCAD
 import FreeCADGui
 
 from BendTorsionWB.gui.qt import QtCore
+from BendTorsionWB.objects.sheet_pages import let_wait
 from BendTorsionWB.sheets.qt import settle_threads
 
+WRITERS = {
+    "TechDraw": ("writeDXFPage", "writeDXFView", "viewPartAsDxf", "viewPartAsSvg"),
+    "TechDrawGui": ("export", "exportPageAsPdf", "exportPageAsSvg"),
+}
+"""What writes pages or their views, by module."""
 _followed: list = []
-"""The observers, once the first page waits."""
+"""The observers, once there is a page."""
 _opened: dict[str, set[str]] = {}
 """By the Uid of a document the names of its pages that were drawn."""
 
 
 def wait(outlines) -> None:
     """Let the pages around a PageOutlines object that is being restored wait to be opened."""
+    follow()
     for page in pages_around(outlines):
-        if not _followed:
-            _follow()
-        page.setPropertyStatus("KeepUpdated", "NoModify")
-        page.KeepUpdated = False
+        let_wait(page)
 
 
 def draw(page) -> None:
@@ -59,21 +66,33 @@ def pages_around(outlines) -> list:
     ]
 
 
-def _follow() -> None:
-    import TechDraw
-
+def follow() -> None:
+    """Draw pages that wait when they are opened or exported, from now on."""
+    if _followed:
+        return
     opened, kept = _Opened(), _Kept()
     FreeCADGui.addDocumentObserver(opened)
     FreeCAD.addDocumentObserver(kept)
     _followed.extend((opened, kept))
-    write = TechDraw.writeDXFPage
+    # FreeCAD's commands call these by their names, too, whether or not the page is open.
+    for module, names in WRITERS.items():
+        written_by = importlib.import_module(module)
+        for name in names:
+            setattr(written_by, name, _drawing(getattr(written_by, name)))
 
-    def write_drawn(page, *rest):
-        draw(page)
-        return write(page, *rest)
 
-    # TechDraw's command to export a page as DXF calls this by its name, whether or not it is open.
-    TechDraw.writeDXFPage = write_drawn
+def _drawing(write):
+    """A function of TechDraw that draws the pages of what it is given before it writes them."""
+
+    @wraps(write)
+    def write_drawn(given, *rest):
+        for one in given if isinstance(given, (list, tuple)) else (given,):
+            for page in (one, *getattr(one, "InList", ())):
+                if hasattr(page, "isDerivedFrom") and _is_page(page):
+                    draw(page)
+        return write(given, *rest)
+
+    return write_drawn
 
 
 class _Opened:

@@ -264,6 +264,7 @@ def attach(obj) -> None:
         first_view.on_open(obj.Document)
     ViewProvider(view)
     if obj.BT_Type == "PageOutlines":
+        page_drawing.follow()
         page_drawing.plain(obj)
     if obj.BT_Type in APPEARANCE:
         colour, transparency = APPEARANCE[obj.BT_Type]

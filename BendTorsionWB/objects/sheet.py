@@ -34,6 +34,7 @@ from BendTorsionWB.objects.sheet_pages import (
     after_recompute,
     heads,
     is_outlined,
+    let_wait,
     page_objects,
     surplus,
 )
@@ -274,6 +275,9 @@ def _add_page(sheet_set, index: int, sheet: Sheet):
     page, template = add("TechDraw::DrawPage", "Page"), add("TechDraw::DrawSVGTemplate", "Template")
     template.Template = template_path(sheet)
     page.Template = template
+    # In the window it is drawn when it is opened.
+    if FreeCAD.GuiUp and is_outlined(sheet_set):
+        let_wait(page)
     outlined = [_add_outlines(sheet_set, index, add)] if is_outlined(sheet_set) else []
     views = [view for _, view in outlined]
     # The list itself: addView moves views to the middle of the page, and that of FreeCAD 1.1 takes

@@ -44,6 +44,12 @@ def page_objects(head) -> list:
     return [*pages, *templates, *symbols, *views, *own]
 
 
+def let_wait(page) -> None:
+    """Let a page wait to be opened before TechDraw draws it; that it is drawn then is no edit."""
+    page.setPropertyStatus("KeepUpdated", "NoModify")
+    page.KeepUpdated = False
+
+
 def surplus(document) -> list:
     """The heads of pages whose sheet is gone."""
     return [

@@ -71,7 +71,7 @@ def svg_document(
             f'<g fill="none" stroke="#000000" stroke-linecap="round" stroke-linejoin="round" '
             f'font-family="{", ".join((FONT_FAMILY, *CJK_FAMILIES))}, sans-serif">',
             *_grouped(drawn),
-            f'<g transform="scale({_number(1.0 / per_unit)})">' if joined else "<g>",
+            f'<g fill="#000000" stroke="none"{_scaled(1.0 / per_unit)}>',
             *_grouped([_text(text, sheet.height, per_unit) for text in texts if text.text.strip()]),
             "</g>",
             "</g>",
@@ -129,12 +129,18 @@ def _line(line: Polyline, page_height: float) -> str:
     return f'<polyline points="{points}" stroke-width="{_number(width)}"{dash}/>'
 
 
+def _scaled(factor: float) -> str:
+    return "" if factor == 1.0 else f' transform="scale({_number(factor)})"'
+
+
 def _text(text: Text, page_height: float, scale: float) -> str:
     x, y = _number(scale * text.x), _number(scale * (page_height - text.y))
     turn = f' transform="rotate({_number(-text.angle)} {x} {y})"' if text.angle else ""
+    # Each attribute takes TechDraw's search time: what all texts share stands in their group.
+    anchor = "" if text.anchor == "start" else f' text-anchor="{text.anchor}"'
     return (
-        f'<text x="{x}" y="{y}" font-size="{_number(scale * text.height / CAP_HEIGHT)}" '
-        f'text-anchor="{text.anchor}" fill="#000000" stroke="none"{turn}>{escape(text.text)}</text>'
+        f'<text x="{x}" y="{y}" font-size="{_number(scale * text.height / CAP_HEIGHT)}"'
+        f"{anchor}{turn}>{escape(text.text)}</text>"
     )
 
 

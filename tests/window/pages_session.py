@@ -119,7 +119,8 @@ def taken_back():
     run("Development")
     press("Ok")
     run("Sheets", pause=8)
-    seen = {"made": page_windows(), "front": steps_front()}
+    drawn = [page.Label for page in pages_of(document) if page.KeepUpdated]
+    seen = {"made": page_windows(), "front": steps_front(), "drawn": drawn}
     for name in ("Undo", "Redo", "Undo", "Redo"):
         FreeCADGui.runCommand(f"Std_{name}")
         steps.settle(6)
