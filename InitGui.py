@@ -20,6 +20,7 @@ class BendTorsionWorkbench(Workbench):
 
         from BendTorsionWB.gui import (
             commands,
+            copied,
             page_windows,
             preferences_page,
             resources,
@@ -36,6 +37,7 @@ class BendTorsionWorkbench(Workbench):
         commands.lay_out(self)
         status_text.watch()
         undone.watch()
+        copied.watch()
         page_windows.watch()
 
     def ContextMenu(self, recipient):

@@ -66,6 +66,20 @@ def warn(text: str) -> None:
     answered(box)
 
 
+def offer(text: str, yes: str, no: str) -> bool:
+    """Tell something and offer two ways on, the first by Enter; whether that was taken."""
+    window = FreeCADGui.getMainWindow()
+    question, none = QtWidgets.QMessageBox.Question, QtWidgets.QMessageBox.NoButton
+    box = QtWidgets.QMessageBox(question, "BendTorsion", text, none, window)
+    taken = []
+    first = box.addButton(yes, QtWidgets.QMessageBox.AcceptRole)
+    first.clicked.connect(lambda *_: taken.append(True))
+    box.addButton(no, QtWidgets.QMessageBox.RejectRole)
+    box.setDefaultButton(first)
+    answered(box)
+    return bool(taken)
+
+
 def answered(dialog) -> int:
     """Show a dialog until it is answered; 0 when it is cancelled. It is deleted as soon as FreeCAD
     goes on."""

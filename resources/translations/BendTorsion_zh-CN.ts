@@ -1411,6 +1411,10 @@
         <translation>坡口边的轮廓</translation>
     </message>
     <message>
+        <source>Copy them as well</source>
+        <translation>一并复制</translation>
+    </message>
+    <message>
         <source>Corner joint</source>
         <translation>角部接头</translation>
     </message>
@@ -1683,6 +1687,10 @@
         <translation>展开方式</translation>
     </message>
     <message>
+        <source>Leave them</source>
+        <translation>不复制</translation>
+    </message>
+    <message>
         <source>Left aside, neither faces nor curves: {names}</source>
         <translation>未采用，既非面也非曲线：{names}</translation>
     </message>
@@ -1759,6 +1767,10 @@
         <translation>节点</translation>
     </message>
     <message>
+        <source>Not copied: {names}. FreeCAD copies what an object depends on, not what depends on it.</source>
+        <translation>未复制：{names}。FreeCAD 只复制对象所依赖的内容，不复制依赖于它的内容。</translation>
+    </message>
+    <message>
         <source>Not kept: {reasons}</source>
         <translation>未保存：{reasons}</translation>
     </message>
@@ -1821,6 +1833,10 @@
     <message>
         <source>Other objects</source>
         <translation>其他对象</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>粘贴</translation>
     </message>
     <message>
         <source>Per butt joint, mm</source>
