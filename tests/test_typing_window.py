@@ -76,6 +76,14 @@ def test_enter_takes_what_is_written_and_esc_ends_at_once(window):
     assert seen["escaped"] == [False, 600.0] and seen["mass"]
 
 
+@pytest.mark.parametrize("when", ["computing", "waiting"])
+def test_the_window_told_to_close_asks_when_nothing_is_computed(window, when):
+    """FreeCAD's question can be answered at once; Cancel leads back into the panel, and what was
+    typed is there for OK."""
+    height = {"computing": 905.0, "waiting": 915.0}[when]
+    assert step(window, "told_to_close")[when] == [True, False, True, height, False]
+
+
 def test_errors_downstream_keep_from_ok(window):
     """The button says why; Enter does not pass it."""
     text, ok, tip = step(window, "errors")["folded"]

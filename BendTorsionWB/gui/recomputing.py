@@ -10,6 +10,8 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
+import FreeCADGui
+
 from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
 from BendTorsionWB.objects.preference import preference
 
@@ -76,13 +78,14 @@ class Stopped(Exception):
 class HeldInput(QtCore.QObject):
     """Holds what is typed and clicked while the window shows how far work is; `report` (a
     `project.Progress`) raises Stopped after Esc, or a click that `stops` is true of (a point of the
-    screen). `release` lets all else arrive, as if typed then."""
+    screen). `release` lets all else arrive, as if typed then, and asks the window again to close
+    when it was told to: FreeCAD's question is never answered while work goes on."""
 
     def __init__(self, show: Callable[[str, int, int], None], stops: Callable):
         super().__init__()
         self.show, self.stops = show, stops
         self.started = time.monotonic()
-        self.stopped = False
+        self.stopped = self.closes = False
         self.held: list[tuple] = []
         QtWidgets.QApplication.instance().installEventFilter(self)
 
@@ -101,6 +104,8 @@ class HeldInput(QtCore.QObject):
         for receiver, event in () if self.stopped else self.held:
             QtWidgets.QApplication.postEvent(receiver, event)
         self.held = []
+        if self.closes and not self.stopped:
+            QtCore.QTimer.singleShot(0, FreeCADGui.getMainWindow().close)
 
     def eventFilter(self, receiver, event):
         """Called by Qt before anything of the program has the event."""
@@ -112,6 +117,7 @@ class HeldInput(QtCore.QObject):
             event.accept()
             return True
         if kind == QtCore.QEvent.Close:
+            self.closes = self.closes or _is_main(receiver)
             event.ignore()
             return True
         if not isinstance(receiver, QtGui.QWindow):
@@ -135,6 +141,12 @@ MOUSE = (
     QtCore.QEvent.MouseButtonRelease,
     QtCore.QEvent.MouseButtonDblClick,
 )
+
+
+def _is_main(receiver) -> bool:
+    """Whether an event is of FreeCAD's window, by itself or as the system knows it."""
+    main = FreeCADGui.getMainWindow()
+    return receiver == main or receiver == main.windowHandle()
 
 
 def _key(event):

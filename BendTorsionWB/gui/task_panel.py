@@ -55,7 +55,7 @@ class TaskPanel:
         self.refused: dict[QtWidgets.QWidget, str] = {}
         self.timer = QtCore.QTimer()
         self.timer.setSingleShot(True)
-        self.timer.timeout.connect(self.update)
+        self.timer.timeout.connect(self._due)
         self.seconds: float | None = None
         self.unshown: QtWidgets.QWidget | None = None
         self.following = False
@@ -225,7 +225,14 @@ class TaskPanel:
             return
         if now is self.unshown or self.unshown.isAncestorOf(now):
             return
-        if now not in self._buttons(QtWidgets.QDialogButtonBox.Cancel):
+        if _asked() is None and now not in self._buttons(QtWidgets.QDialogButtonBox.Cancel):
+            self.timer.start(DELAY)
+
+    def _due(self) -> None:
+        """Recompute, but not behind a question, which could not be answered meanwhile."""
+        if _asked() is None:
+            self.update()
+        else:
             self.timer.start(DELAY)
 
     def update(self) -> None:
@@ -374,6 +381,11 @@ class TaskPanel:
             self.escape.stop()
         for form in self.forms:
             form.ended = True
+
+
+def _asked():
+    """The question that waits for an answer, such as FreeCAD's whether to save; or None."""
+    return QtWidgets.QApplication.activeModalWidget()
 
 
 class _Form(QtWidgets.QWidget):

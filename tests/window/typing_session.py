@@ -6,7 +6,7 @@ import sys
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import keys
@@ -122,6 +122,61 @@ def shown_when_left():
     return seen
 
 
+def told_to_close():
+    """FreeCAD's window told to close while a preview is computed, and while what was typed waits
+    for it; its question answered by a click on Cancel and by Esc."""
+    from BendTorsionWB.gui import recomputing, task_panel
+
+    before = task_panel.HEAVY, recomputing.PATIENCE, task_panel.recompute_each
+    task_panel.HEAVY, recomputing.PATIENCE = -1.0, 0.0
+    close, seen = f"@close:{int(window().winId())}", {}
+    computing, asked = [], []
+
+    def each(*given):
+        computing.append(True)
+        if closing:
+            keys.begin_beside(0.0, close).wait()
+        try:
+            before[2](*given)
+        finally:
+            computing.pop()
+
+    def answer():
+        box = QtGui.QApplication.activeModalWidget()
+        asked.append(bool(computing))
+        if len(asked) != 8:
+            return
+        if closing:
+            button = box.button(QtGui.QMessageBox.Cancel)
+            at = button.mapToGlobal(button.rect().center()) * button.devicePixelRatioF()
+            keys.begin_beside(0.0, f"@{at.x()},{at.y()}")
+        else:
+            keys.active(box)
+            keys.begin_beside(0.0, "@Escape")
+
+    timer = QtCore.QTimer()
+    timer.timeout.connect(lambda: QtGui.QApplication.activeModalWidget() and answer())
+    task_panel.recompute_each = each
+    timer.start(100)
+    try:
+        for closing, name, height in ((True, "computing", "905"), (False, "waiting", "915")):
+            open_section()
+            keys.write(height)
+            keys.strike("Tab") if closing else keys.begin_beside(0.0, close).wait()
+            steps.settle(50)
+            seen[name] = [len(asked) >= 8, any(asked), bool(FreeCADGui.Control.activeDialog())]
+            keys.active(window())
+            press("Ok")
+            seen[name] += [named("B").Height.Value, bool(FreeCADGui.Control.activeDialog())]
+            asked.clear()
+            FreeCAD.ActiveDocument.undo()
+            FreeCAD.ActiveDocument.recompute()
+    finally:
+        timer.stop()
+        task_panel.HEAVY, recomputing.PATIENCE, task_panel.recompute_each = before
+    return seen
+
+
 def errors():
     """Sizes that make errors downstream cannot be kept; one of two errors can be mended."""
     # So far below its axis a section as high as can be folds over itself.
@@ -207,4 +262,6 @@ def table_keys():
     return {"cells": cells}
 
 
-steps.run(typed, refused, shown_when_left, long_lengths, split_keys, table_keys, errors)
+steps.run(
+    typed, refused, shown_when_left, told_to_close, long_lengths, split_keys, table_keys, errors
+)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Real keys of the X server. Run by itself it types beside FreeCAD, as hands do, whatever FreeCAD
-is busy with: seconds between keys, then texts, keys by their X names as `@Tab`, and clicks at a
-pixel of the screen as `@500,300`."""
+is busy with: seconds between keys, then texts, keys by their X names as `@Tab`, clicks at a pixel
+of the screen as `@500,300`, and windows told to close, as by their button, as `@close:1234`."""
 
 import ctypes
 import sys
@@ -22,6 +22,12 @@ TEST.XTestFakeButtonEvent.argtypes = TEST.XTestFakeKeyEvent.argtypes
 TEST.XTestFakeMotionEvent.argtypes = (
     *(ctypes.c_void_p, ctypes.c_int, ctypes.c_int, ctypes.c_int),
     ctypes.c_ulong,
+)
+X11.XInternAtom.argtypes = (ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int)
+X11.XInternAtom.restype = ctypes.c_ulong
+X11.XSendEvent.argtypes = (
+    *(ctypes.c_void_p, ctypes.c_ulong, ctypes.c_int, ctypes.c_long),
+    ctypes.c_void_p,
 )
 DISPLAY = X11.XOpenDisplay(None)
 NAMES = {" ": "space", ".": "period", "+": "plus", ",": "comma", "-": "minus", ";": "semicolon"}
@@ -52,11 +58,39 @@ def click(x, y):
     X11.XSync(DISPLAY, 0)
 
 
+class Message(ctypes.Structure):
+    """What one program tells the window of another (XClientMessageEvent, padded)."""
+
+    _fields_ = (
+        ("type", ctypes.c_int),
+        ("serial", ctypes.c_ulong),
+        ("sent", ctypes.c_int),
+        ("display", ctypes.c_void_p),
+        ("window", ctypes.c_ulong),
+        ("kind", ctypes.c_ulong),
+        ("bits", ctypes.c_int),
+        ("values", ctypes.c_long * 5),
+        ("rest", ctypes.c_long * 16),
+    )
+
+
+def close(window):
+    """Tell a window to close, as window managers do."""
+    protocols, delete = (
+        X11.XInternAtom(DISPLAY, name, 0) for name in (b"WM_PROTOCOLS", b"WM_DELETE_WINDOW")
+    )
+    message = Message(33, 0, 1, DISPLAY, window, protocols, 32, (delete,))
+    X11.XSendEvent(DISPLAY, window, 0, 0, ctypes.byref(message))
+    X11.XSync(DISPLAY, 0)
+
+
 def main(gap, *texts):
     """Type it."""
     for text in texts:
         for name in [text[1:]] if text[:1] == "@" else text:
-            if "," in name and len(name) > 1:
+            if name.startswith("close:"):
+                close(int(name.removeprefix("close:")))
+            elif "," in name and len(name) > 1:
                 click(*map(int, name.split(",")))
             else:
                 hit(NAMES.get(name, name))
