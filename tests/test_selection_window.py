@@ -80,8 +80,36 @@ def test_members_that_meet_twice_get_two_nodes_and_no_third(window):
 
 def test_the_context_menu_of_sheets_and_axes_offers_to_edit_them(window):
     seen = step(window, "context_of_sheets")
-    assert seen["M1 sheets"] == ["Sheets"] and seen["open"] == [[], True]
+    assert seen["M1 sheets"] == ["Sheets", "ExportPackage"]
+    assert seen["open M1 sheets"] == [[], True]
     assert "Axis" in seen["M1-axis"]
+
+
+def test_the_context_menu_of_a_page_is_that_of_its_sheets(window):
+    seen = step(window, "context_of_sheets")
+    assert seen["page"] == seen["M1 sheets"] and seen["open page"] == seen["open M1 sheets"]
+
+
+ONE_ONLY = {"Pieces", "Diaphragms", "Openings", "FaceMarks", "Welds", "Splits", "CutPoint"}
+
+
+def test_what_edits_one_is_offered_for_one(window):
+    """Both members have plates, one has patterns; a member and its plates are one."""
+    seen = step(window, "context_of_sheets")
+    for name in ("M1", "M1 plates"):
+        assert ONE_ONLY | {"Member", "Plates", "Development"} <= set(seen[name])
+        assert "Node" not in seen[name]
+    for name in ("two", "plates"):
+        assert not (ONE_ONLY | {"Member", "Plates"}) & set(seen[name])
+        assert {"Node", "Development", "Alignment", "ColourBy"} <= set(seen[name])
+    assert seen["node"] == ["Node"]
+    assert "Member" in seen["axes"] and "Axis" not in seen["axes"]
+
+
+def test_what_edits_the_object_comes_first(window):
+    seen = step(window, "context_of_sheets")
+    wanted = {"M1": "Member", "M1 plates": "Plates", "M1-axis": "Axis", "page": "Sheets"}
+    assert {name: seen[name][0] for name in wanted} == wanted
 
 
 def test_a_deleted_curve_is_told_and_comes_back(window):

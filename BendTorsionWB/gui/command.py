@@ -22,7 +22,8 @@ class Command:
     """A command as FreeCAD asks for it.
 
     run: called with the active document, or None; raises BendTorsionError for what it cannot do.
-    suits: BendTorsion kinds, or `Face`, `Edge`, `Vertex`, the context menu offers it for.
+    suits: BendTorsion kinds, or `Face`, `Edge`, `Vertex`, the context menu offers it for; fits:
+    whether it does for as many of ours as are selected, given `selection.Picked` with those alone.
     """
 
     name: str
@@ -31,6 +32,7 @@ class Command:
     shortcut: str
     run: Callable
     suits: tuple[str, ...] = ()
+    fits: Callable = lambda given: True
     needs_document: bool = True
 
     @property

@@ -12,6 +12,7 @@ from BendTorsionWB.gui import (
     commands_output,
     commands_plates,
     commands_view,
+    selection,
 )
 from BendTorsionWB.gui.command import PREFIX, Command
 
@@ -48,6 +49,14 @@ OTHERS = ("Example", "Repair", "SupportBundle", "Preferences")
 """What stands in the menu below them."""
 
 
+EDITED_BY = {
+    **{"Surface": "Surface", "Axis": "Axis", "SectionSpec": "Section", "Member": "Member"},
+    **{"PlateSet": "Plates", "Node": "Node", "Unfold": "Development", "AssemblyBed": "AssemblyBed"},
+    "SheetSet": "Sheets",
+}
+"""The command that edits a kind of object."""
+
+
 def commands() -> dict[str, Command]:
     """Every command by its name."""
     return {command.name: command for family in FAMILIES for command in family.COMMANDS}
@@ -64,19 +73,24 @@ def full_names(names) -> list[str]:
 
 
 def suited() -> list[str]:
-    """Full names of the commands the context menu offers for what is selected."""
-    kinds = set()
+    """Full names of the commands the context menu offers for what is selected, by kind and number;
+    first those that edit it."""
+    kinds, ours = set(), []
     for item in FreeCADGui.Selection.getSelectionEx():
-        kind = getattr(item.Object, "BT_Type", "")
+        own = selection.own_of(item.Object)
         names = item.SubElementNames
         shape = getattr(item.Object, "Shape", None)
-        if kind:
-            kinds.add(kind)
+        if own is not None:
+            kinds.add(own.BT_Type)
+            ours.append(own)
         elif names:
             kinds.update(name.rstrip("0123456789") for name in names)
         elif shape is not None and not shape.isNull():
             kinds.add("Face" if shape.Faces else "Edge" if shape.Edges else "Vertex")
-    return [item.full_name for item in commands().values() if kinds & set(item.suits)]
+    given = selection.Picked(ours=tuple(dict.fromkeys(ours)))
+    found = [c for c in commands().values() if kinds & set(c.suits) and c.fits(given)]
+    found.sort(key=lambda command: command.name not in {EDITED_BY.get(kind) for kind in kinds})
+    return [command.full_name for command in found]
 
 
 def lay_out(workbench) -> None:

@@ -306,6 +306,7 @@ COMMANDS = (
         "B, F",
         members_from_selection,
         ("Face", "Edge", "Surface"),
+        lambda given: len(given.of_kind("Surface")) <= 1,
     ),
     Command(
         "Surface",
@@ -318,6 +319,7 @@ COMMANDS = (
         "B, U",
         surface,
         ("Face", "Surface"),
+        lambda given: len(given.of_kind("Surface")) <= 1,
     ),
     Command(
         "Axis",
@@ -330,6 +332,7 @@ COMMANDS = (
         "B, A",
         axis,
         ("Face", "Edge", "Vertex", "Surface", "Axis"),
+        lambda given: max(len(given.of_kind(kind)) for kind in ("Surface", "Axis")) <= 1,
     ),
     Command(
         "Section",
@@ -338,6 +341,7 @@ COMMANDS = (
         "B, S",
         section,
         ("SectionSpec",),
+        lambda given: len(given.of_kind("SectionSpec")) == 1,
     ),
     Command(
         "Member",
@@ -350,6 +354,7 @@ COMMANDS = (
         "B, M",
         member,
         ("Axis", "Member", "PlateSet"),
+        lambda given: bool(given.of_kind("Axis")) or selection.is_one(given),
     ),
     Command(
         "CutPoint",
@@ -361,6 +366,7 @@ COMMANDS = (
         "B, C",
         cut_point,
         ("Member", "PlateSet"),
+        selection.is_one,
     ),
     Command(
         "Alignment",

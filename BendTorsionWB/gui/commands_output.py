@@ -165,6 +165,12 @@ def _kind(document, kind: str) -> list:
     return [obj for obj in document.Objects if getattr(obj, "BT_Type", "") == kind]
 
 
+def _is_drawn_or_one(given) -> bool:
+    """The patterns of one member, or of some of which one has no sheets."""
+    own = selection.stood_for(given, "Unfold")
+    return len(own) == 1 or not all(users(item, "SheetSet") for item in own)
+
+
 COMMANDS = (
     Command(
         "Check",
@@ -195,6 +201,7 @@ COMMANDS = (
         "B, H",
         sheets,
         ("Member", "PlateSet", "Unfold", "SheetSet"),
+        _is_drawn_or_one,
     ),
     Command(
         "ExportPackage",
@@ -205,6 +212,7 @@ COMMANDS = (
         ),
         "B, E",
         export_package,
+        ("SheetSet", "ArrangementSet", "NodeSheets"),
     ),
     Command(
         "Report",

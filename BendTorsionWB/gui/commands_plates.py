@@ -234,6 +234,28 @@ def users(obj, kind: str) -> list:
     return [user for user in obj.InList if getattr(user, "BT_Type", "") == kind]
 
 
+def _is_cut_or_one(given) -> bool:
+    """One member, or some of which one has no plates."""
+    members = selection.stood_for(given, "Member")
+    return len(members) == 1 or not all(users(item, "PlateSet") for item in members)
+
+
+def _has_one(given) -> bool:
+    return selection.is_one(given, "PlateSet")
+
+
+def _has_node(given) -> bool:
+    """One node, or two members."""
+    nodes = given.of_kind("Node")
+    return len(nodes) == 1 or (not nodes and len(selection.stood_for(given, "Member")) == 2)
+
+
+def _is_open(given, kind: str) -> bool:
+    """The plates of one member, or of some of which one lacks what is to follow them."""
+    own = selection.stood_for(given, "PlateSet")
+    return len(own) == 1 or not all(users(item, kind) for item in own)
+
+
 COMMANDS = (
     Command(
         "Plates",
@@ -245,6 +267,7 @@ COMMANDS = (
         "B, P",
         plates,
         ("Member", "PlateSet"),
+        _is_cut_or_one,
     ),
     Command(
         "Pieces",
@@ -255,6 +278,7 @@ COMMANDS = (
         "B, I",
         pieces,
         ("Member", "PlateSet"),
+        _has_one,
     ),
     Command(
         "Diaphragms",
@@ -265,6 +289,7 @@ COMMANDS = (
         "B, D",
         diaphragms,
         ("Member", "PlateSet"),
+        _has_one,
     ),
     Command(
         "Openings",
@@ -273,6 +298,7 @@ COMMANDS = (
         "B, 3",
         openings,
         ("Member", "PlateSet"),
+        _has_one,
     ),
     Command(
         "FaceMarks",
@@ -283,6 +309,7 @@ COMMANDS = (
         "B, 4",
         face_marks,
         ("Member", "PlateSet"),
+        _has_one,
     ),
     Command(
         "Welds",
@@ -294,6 +321,7 @@ COMMANDS = (
         "B, 5",
         welds,
         ("Member", "PlateSet"),
+        _has_one,
     ),
     Command(
         "Splits",
@@ -305,6 +333,7 @@ COMMANDS = (
         "B, J",
         splits,
         ("Member", "PlateSet"),
+        _has_one,
     ),
     Command(
         "Node",
@@ -317,6 +346,7 @@ COMMANDS = (
         "B, 6",
         node,
         ("Member", "PlateSet", "Node"),
+        _has_node,
     ),
     Command(
         "Development",
@@ -325,6 +355,7 @@ COMMANDS = (
         "B, V",
         development,
         ("Member", "PlateSet", "Unfold"),
+        lambda given: _is_open(given, "Unfold"),
     ),
     Command(
         "AssemblyBed",
@@ -336,5 +367,6 @@ COMMANDS = (
         "B, B",
         assembly_bed,
         ("Member", "PlateSet", "AssemblyBed"),
+        lambda given: _is_open(given, "AssemblyBed"),
     ),
 )

@@ -12,7 +12,7 @@ import FreeCADGui
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.gui.chains import chains
 from BendTorsionWB.gui.containers import free_edges, opened
-from BendTorsionWB.gui.tree import LINKED_ABOVE
+from BendTorsionWB.gui.tree import LINKED_ABOVE, sheets_of
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -52,13 +52,14 @@ def sort(items) -> Picked:
     """Sort FreeCAD selection objects (`Object`, `SubElementNames`) in the order picked.
 
     A whole shape with faces is one surface, one without is a curve for each chain of its edges. A
-    part or a group is what it holds, and nothing where any of that is picked with it.
+    part or a group is what it holds, and nothing where any of that is picked with it. A drawing
+    page is its set of sheets.
     """
     faces, curves, points, ours, others, inside = [], [], [], [], [], []
     picks = [(item.Object, [name for name in item.SubElementNames if name]) for item in items]
     for obj, names in opened(picks):
-        if hasattr(obj, "BT_Type"):
-            ours.append(obj)
+        if (own := own_of(obj)) is not None:
+            ours.append(own)
             continue
         shape = getattr(obj, "Shape", None)
         if shape is None or shape.isNull():
@@ -84,6 +85,11 @@ def sort(items) -> Picked:
             tuple(shape.getElement(name).Point) for name in names if name.startswith("Vertex")
         ]
     return Picked(*map(tuple, (faces, curves, points, ours, others, inside)))
+
+
+def own_of(obj):
+    """The object of ours that a picked one is, or is a drawing page of; None for others."""
+    return obj if hasattr(obj, "BT_Type") else sheets_of(obj)
 
 
 def surface_and_curves(given: Picked):
@@ -140,14 +146,24 @@ def _face_names(obj, names) -> set[str]:
     return found or {f"Face{k}" for k in range(1, len(obj.Shape.Faces) + 1)}
 
 
-def of_member(given: Picked, kind: str, mend: str) -> list:
+def stood_for(given: Picked, kind: str) -> list:
     """The Members, PlateSets or Unfolds the selection stands for; a plate stands for its member
-    and a member for its plates. Raises BendTorsionError (`selection`) when there is none."""
+    and a member for its plates."""
     found = []
     for item in given.ours:
         if item.BT_Type in _CHAIN[kind]:
             found += [obj for obj in _along(item) if obj.BT_Type == kind]
-    found = list(dict.fromkeys(found))
+    return list(dict.fromkeys(found))
+
+
+def is_one(given: Picked, kind: str = "Member") -> bool:
+    """Whether the selection stands for one member, or one's plates or patterns."""
+    return len(stood_for(given, kind)) == 1
+
+
+def of_member(given: Picked, kind: str, mend: str) -> list:
+    """What `stood_for` finds; raises BendTorsionError (`selection`) when there is none."""
+    found = stood_for(given, kind)
     if not found:
         raise refusal(_NONE[kind], mend)
     return found

@@ -98,6 +98,16 @@ def _only_user(axis, member) -> bool:
     return members == {member.Name}
 
 
+def sheets_of(page):
+    """The set of sheets that a drawing page is one of; None for other objects."""
+    views = page.Views if page.isDerivedFrom("TechDraw::DrawPage") else ()
+    for view in views:
+        for item in (view, *getattr(view, "Source", ())):
+            if getattr(item, "BT_Type", "") in PAGE_PARTS:
+                return item.Set
+    return None
+
+
 def _pages(sheet_set) -> list:
     """The drawing pages of a set of sheets, each with the outlines its view shows, if any."""
     shown = [user for user in sheet_set.InList if getattr(user, "BT_Type", "") in PAGE_PARTS]

@@ -179,16 +179,24 @@ def node_of_a_pair():
 
 
 def context_of_sheets():
-    """What the context menu offers for sheets and for an axis."""
+    """What the context menu offers for sheets, a page of them and an axis, for one and for several;
+    what Sheets opens."""
     from BendTorsionWB.gui import commands
 
+    document = FreeCAD.ActiveDocument
+    page = next(o for o in document.Objects if o.isDerivedFrom("TechDraw::DrawPage"))
     found = {}
-    for label in ("M1 sheets", "M1-axis"):
-        select(named(label))
-        found[label] = [name.removeprefix("BendTorsion_") for name in commands.suited()]
-    select(named("M1 sheets"))
-    found["open"] = [run("Sheets"), panel_open()]
-    press("Cancel")
+    chosen = {label: [named(label)] for label in ("M1 sheets", "M1-axis", "M1 plates", "M1")}
+    chosen |= {"page": [page], "two": [named("M1"), named("M2")], "node": [named("N1")]}
+    chosen |= {"three": [*chosen["two"], named("N1")], "plates": [named("M1 plates"), named("M2")]}
+    chosen |= {"axes": [named("M1-axis"), named("M2-axis")]}
+    for name, items in chosen.items():
+        select(*items)
+        found[name] = [name.removeprefix("BendTorsion_") for name in commands.suited()]
+    for name in ("M1 sheets", "page"):
+        select(*chosen[name])
+        found[f"open {name}"] = [run("Sheets"), panel_open()]
+        press("Cancel")
     FreeCAD.closeDocument("Pair")
     return found
 
