@@ -49,12 +49,22 @@ def open_schedule(path: str | os.PathLike, sheets: bool = False):
     return document
 
 
-def import_shapes(document, path: str | os.PathLike):
+def import_shapes(document, path: str | os.PathLike, step: str = "Import shapes"):
     """A plain object with everything of a STEP, IGES or BREP file, faces and free curves, in a new
-    document when document is None; FreeCAD's own import leaves free curves out since 1.0. Raises
-    BendTorsionError for what cannot be read."""
+    document when document is None; FreeCAD's own import leaves free curves out since 1.0. step: the
+    name of the undo step it is in a new document. Raises BendTorsionError for what cannot be
+    read."""
     shape = shape_from_file(path)
-    document = document or FreeCAD.newDocument(Path(path).stem)
+    if document is None:
+        document = FreeCAD.newDocument(Path(path).stem)
+        document.openTransaction(step)
+        feature = _shapes(document, path, shape)
+        document.commitTransaction()
+        return feature
+    return _shapes(document, path, shape)
+
+
+def _shapes(document, path: str | os.PathLike, shape):
     feature = document.addObject("Part::Feature", "Shapes")
     feature.Label, feature.Shape = Path(path).stem, shape
     return feature

@@ -21,6 +21,8 @@ def test_shapes_imported_without_a_document(window):
     (line,), documents = seen["bad"]
     assert "cannot be read" in line and documents == []
     assert seen["shown"] == [] and seen["labels"] == ["dome"] and seen["again"] == [1]
+    assert seen["steps"] == [["Import shapes"], 1]
+    assert seen["undone"] == 0 and seen["redone"] == [1]
 
 
 def test_each_selected_axis_becomes_a_member_in_one_undo_step(window):

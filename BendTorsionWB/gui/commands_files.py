@@ -32,7 +32,7 @@ def import_shapes(document) -> None:
     alone = document is None or not document.Objects
     with progress(title):
         if document is None:
-            macro.on_files(None, "import_shapes", None, path)
+            macro.on_files(None, "import_shapes", None, path, step=title)
         else:
             with macro.undo_step(document, title):
                 macro.on_files(document, "import_shapes", document, path)

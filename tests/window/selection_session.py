@@ -45,7 +45,15 @@ def no_document():
         seen["shown"] = run("ImportShapes")
     lines = [line for line in recorded()[start:] if not line.startswith(("#", "Gui."))]
     seen["labels"] = [item.Label for item in FreeCAD.listDocuments().values()]
-    FreeCAD.closeDocument(FreeCAD.ActiveDocument.Name)
+    document = FreeCAD.ActiveDocument
+    seen["steps"] = [list(document.UndoNames), len(document.Objects)]
+    FreeCADGui.runCommand("Std_Undo")
+    steps.settle()
+    seen["undone"] = len(document.Objects)
+    FreeCADGui.runCommand("Std_Redo")
+    steps.settle()
+    seen["redone"] = [len(o.Shape.Faces) for o in document.Objects]
+    FreeCAD.closeDocument(document.Name)
     exec("\n".join(lines), {})
     seen["again"] = [len(o.Shape.Faces) for o in FreeCAD.ActiveDocument.Objects]
     FreeCAD.closeDocument(FreeCAD.ActiveDocument.Name)
