@@ -18,7 +18,7 @@ from BendTorsionWB.document_forms import (
     equal_sections,
     without_other_forms,
 )
-from BendTorsionWB.document_objects import documents_of, kind_of
+from BendTorsionWB.document_objects import documents_of, kind_of, objects_of, value_of
 from BendTorsionWB.document_rows import rows_of
 from BendTorsionWB.exchange.difference import Change, schedule_changes
 from BendTorsionWB.exchange.linked_documents import refuse_linked
@@ -26,9 +26,14 @@ from BendTorsionWB.exchange.schedule import read_schedule
 from BendTorsionWB.exchange.schedule_rows import Schedule
 from BendTorsionWB.exchange.schedule_writer import write_schedule
 from BendTorsionWB.exchange.whole_file import write_changed
+from BendTorsionWB.objects.proxy import KIND_WORDS
 from BendTorsionWB.objects.repair import refuse_bare
 from BendTorsionWB.project import read_jobs
 from BendTorsionWB.whole_model import close_model, members_in, open_model
+
+FOUND_BY_BUILDING = {("SheetSet", "Bed"), ("SheetSet", "PlatePages"), ("Node", "Place")}
+"""Properties that building sets where they are their default: nobody said anything there."""
+_WORDS = KIND_WORDS | {"Node": "node", "SheetSet": "sheets", "File": "shape"}
 
 
 def difference(one: str | os.PathLike, other: str | os.PathLike) -> tuple[Change, ...]:
@@ -106,25 +111,49 @@ def write_back(document, path: str | os.PathLike) -> tuple[Finding, ...]:
         schedule, jobs = read_jobs(trial)
         parts = documents_of(document)
         unsaid: list[Change] = []
+        rules: dict[tuple[str, str, str], str] = {}
         for part in parts:
             own = jobs
             if len(parts) > 1:
                 own = {name: jobs[name] for name in members_in(document, part)}
             unsaid += _unsaid(part, schedule, own)
+            rules |= _expressions(part)
         shapes = {file.name: file.read_bytes() for file in sorted(files.glob("*"))}
     for name, content in shapes.items():
         write_changed(path.with_name(files.name) / name, content)
     write_schedule(rows, path)
-    return tuple(
+    found = [
         warning(
             "not-in-schedule",
             change.name,
-            f"{change.kind} {change.name}: the schedule cannot say {change.property or 'it'}",
+            f"{_WORDS.get(change.kind, change.kind)} {change.name}: the schedule cannot say "
+            f"{change.property or 'it'}",
             "leave it in the document, or set it by hand after building the schedule",
             position=f"property {change.property}" if change.property else "",
         )
         for change in dict.fromkeys(unsaid)
-    )
+    ]
+    found += [
+        warning(
+            "expression-not-in-schedule",
+            name,
+            f"{_WORDS.get(kind, kind)} {name}: the schedule has what {property} comes to now, not "
+            f"its expression {text}",
+            "leave it in the document, or type the expression again after building the schedule",
+            position=f"property {property}",
+        )
+        for (kind, name, property), text in rules.items()
+    ]
+    return tuple(found)
+
+
+def _expressions(document) -> dict[tuple[str, str, str], str]:
+    """The expressions that properties of our objects follow, by kind, label and property."""
+    return {
+        (kind_of(obj), obj.Label, path.lstrip(".")): text
+        for obj in objects_of(document).values()
+        for path, text in obj.ExpressionEngine
+    }
 
 
 def _unsaid(document, schedule: Schedule, jobs: dict[str, MemberJob]) -> list[Change]:
@@ -134,14 +163,30 @@ def _unsaid(document, schedule: Schedule, jobs: dict[str, MemberJob]) -> list[Ch
     try:
         equal = equal_sections(document, again)
         changes = document_changes(document, again, by_label=True)
+        plain = {key for key in map(_key, changes) if _is_default(document, *key)}
     finally:
         close_model([again])
     return [
         change
         for change in changes
         if change.kind != "File" and change.what != "added" and not _in_another_form(change)
-        if not (change.kind == "SectionSpec" and change.name in equal)
+        if not (change.kind == "SectionSpec" and change.name in equal) and _key(change) not in plain
     ]
+
+
+def _key(change: Change) -> tuple[str, str, str]:
+    return change.kind, change.name, change.property
+
+
+def _is_default(document, kind: str, name: str, property: str) -> bool:
+    """Whether a property that building finds a value for is as it was when its object was made."""
+    if (kind, property) not in FOUND_BY_BUILDING:
+        return False
+    for obj in objects_of(document).values():
+        if kind_of(obj) == kind and obj.Label == name:
+            declared = {item.name: item.default for item in obj.Proxy.declared(obj)}
+            return value_of(obj, property) == declared[property]
+    return False
 
 
 def _in_another_form(change: Change) -> bool:

@@ -27,7 +27,9 @@ def output(tmp_path_factory):
     script = SCRIPTS / "output_session.py"
     folder = tmp_path_factory.mktemp("output")
     seen = run_in_window(script, folder, time_limit=400, pictures=PICTURES)
-    own = step(seen, "output") | {name: step(seen, name) for name in ("losses", "split")}
+    own = step(seen, "output") | {
+        name: step(seen, name) for name in ("losses", "expressions", "split")
+    }
     return own | {"report_view": seen["report_view"]}
 
 
@@ -267,12 +269,23 @@ def test_what_a_schedule_cannot_say_is_told_by_its_command(output):
     assert shown == [] and "spare1.xlsx" in said and not opened and listed == 0
     heading, *lines = text.splitlines()
     assert heading.startswith("Written without") and f"({len(lines)})" in heading
-    assert any("SectionSpec spare 0" in line and " -> " in line for line in lines)
+    assert any("section spare 0" in line and " -> " in line for line in lines)
     assert "more" not in text
     shown, _, (text,), opened, listed = output["losses"]["10"]
     heading, *lines = text.splitlines()
     assert shown == [] and not opened and listed == 1
     assert len(lines) == 9 and "more" in lines[-1] and "Report view" in lines[-1]
+
+
+def test_a_lost_expression_is_told_in_the_words_of_the_window(output):
+    """By object, label of the property and expression; nothing is told of what nobody set."""
+    (text,), section, member = output["expressions"]
+    heading, *lines = text.splitlines()
+    assert "(2)" in heading
+    first, second = sorted(lines, key=lambda line: member in line)
+    assert section in first and "Thickness t" in first and "Sizes.A1" in first
+    assert member in second and "Offset Y" in second and "Sizes.A1 - 12" in second
+    assert "OffsetY" not in text and "property" not in text
 
 
 def test_the_document_of_a_split_model_names_those_to_open(output):

@@ -213,6 +213,44 @@ def test_what_a_schedule_cannot_say_is_named(document, tmp_path):
     assert made.Label == "M1"
 
 
+def two_at_a_node(document):
+    """Two members that meet at a node, with plates, patterns and sheets; the node."""
+    ground = make.make_surface(document, "Ground", "plane")
+    section = make.make_section(document, "B", h=500, b=400, t=12)
+    ends = {"M1": [(0, 0, 0), (4000, 0, 0)], "M2": [(1900, 200, 0), (1900, 3000, 0)]}
+    axes = {name: make.make_axis(document, f"A-{name}", ground, ends[name]) for name in ends}
+    members = [make.make_member(document, name, axes[name], [section]) for name in ends]
+    plates = [make.make_plates(document, member) for member in members]
+    node = make.make_node(document, *members, "K1", plates=plates)
+    for own in plates:
+        make.make_sheets(document, make.make_unfold(document, own))
+    document.recompute()
+    return node
+
+
+def test_nothing_is_told_of_what_nobody_set(document, tmp_path):
+    """A place of a node, a bed and pages of sheets that building finds by itself."""
+    node = two_at_a_node(document)
+    sheets = document.getObjectsByLabel("M1 sheets")[0]
+    assert node.Place.Value == 0.0 and sheets.Bed is None and sheets.PlatePages
+    assert write_back(document, tmp_path / "back.xlsx") == ()
+
+
+def test_a_lost_expression_is_told_with_its_object_and_property(document, tmp_path):
+    node = two_at_a_node(document)
+    sizes = document.addObject("Spreadsheet::Sheet", "Sizes")
+    sizes.set("A1", "=500 mm")
+    document.getObjectsByLabel("B")[0].setExpression("Height", "Sizes.A1")
+    node.setExpression("Gap", "2 mm + 1 mm")
+    document.recompute()
+    found = write_back(document, tmp_path / "back.xlsx")
+    assert [(f.object, f.position, f.code, f.severity) for f in found] == [
+        ("B", "property Height", "expression-not-in-schedule", "warning"),
+        ("K1", "property Gap", "expression-not-in-schedule", "warning"),
+    ]
+    assert "Sizes.A1" in found[0].message and found[0].mend
+
+
 OTHER_SETTINGS = {
     "project": "Hall",
     "author": "AB",

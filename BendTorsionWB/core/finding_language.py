@@ -51,6 +51,9 @@ _KINDS = {
     "plate set": "板件",
     "development": "展开",
     "assembly bed": "胎架",
+    "node": "节点",
+    "sheets": "图纸",
+    "shape": "形体",
 }
 _WORDS = {
     "face": "面",

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import FreeCAD
 
-from BendTorsionWB.gui import ask, macro, not_written, resources, selection
+from BendTorsionWB.gui import ask, finding_words, macro, not_written, resources, selection
 from BendTorsionWB.gui.command import Command
 from BendTorsionWB.gui.progress import PATIENCE, progress
 
@@ -80,7 +80,8 @@ def write_schedule(document) -> None:
         found = macro.on_files(document, "write_schedule", document, path)
     ask.tell(translate("BendTorsion", "Written: {file}").format(file=path))
     heading = translate("BendTorsion", "Written without what a schedule cannot say ({count}):")
-    not_written.tell({heading.format(count=len(found)): found})
+    told = [finding_words.in_window_words(finding, document) for finding in found]
+    not_written.tell({heading.format(count=len(told)): told})
 
 
 def example(document) -> None:

@@ -8,6 +8,7 @@ import json
 import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 import FreeCAD
 import FreeCADGui
@@ -114,6 +115,21 @@ def cells(finding: Finding, names: Sequence[str]) -> list[str]:
 
 def _told(finding: Finding) -> Finding:
     return finding_language.chinese_finding(finding) if is_chinese() else finding
+
+
+def in_window_words(finding: Finding, document) -> Finding:
+    """A finding about a property of an object, with what the window calls it in place of its name,
+    which is told once."""
+    from BendTorsionWB.gui.property_words import label_of
+
+    name = finding.position.removeprefix("property ")
+    owners = document.getObjectsByLabel(finding.object)
+    kinds = [obj.BT_Type for obj in owners if {name, "BT_Type"} <= {*obj.PropertiesList}]
+    if not kinds or name == finding.position:
+        return finding
+    start, between, rest = finding.message.partition(": ")
+    told = re.sub(rf"\b{name}\b", lambda _: label_of(kinds[0], name), rest, count=1)
+    return replace(finding, message=f"{start}{between}{told}", position="")
 
 
 def errors_of(objects) -> Counter:
