@@ -46,6 +46,16 @@ def test_every_command_is_on_a_toolbar_with_icon_words_and_a_shortcut_of_its_own
     assert not set(seen["shortcuts"]) & set(seen["used_twice"])
 
 
+def test_every_button_of_the_toolbars_is_in_sight_at_1600_pixels(window):
+    """None is behind the arrow of a toolbar that has no room."""
+    seen = step(window, "commands")
+    width, bars = seen["reachable"]
+    buttons = {
+        name: sum(item != "Separator" for item in items) for name, items in seen["toolbars"].items()
+    }
+    assert width == 1600 and bars == {name: [count, False] for name, count in buttons.items()}
+
+
 def test_with_nothing_selected_commands_say_what_to_select(window):
     """One line with its mend, nothing made, no undo step; without a document they are disabled."""
     seen = step(window, "nothing_selected")

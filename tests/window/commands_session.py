@@ -16,6 +16,19 @@ from commands_docks import findings, table
 from hands import field, key, named, press, retype, run, select, window
 
 
+def reachable():
+    """By its title, how many buttons each of our toolbars shows, and whether it hides others behind
+    an arrow, in a window of 1600 pixels."""
+    found = {}
+    for bar in window().findChildren(QtGui.QToolBar):
+        if bar.windowTitle().startswith("BendTorsion"):
+            buttons = [bar.widgetForAction(a) for a in bar.actions() if not a.isSeparator()]
+            arrow = bar.findChild(QtGui.QToolButton, "qt_toolbar_ext_button")
+            shown = sum(button.isVisible() for button in buttons)
+            found[bar.windowTitle()] = [shown, arrow is not None and arrow.isVisible()]
+    return [window().width(), found]
+
+
 def commands():
     """Toolbars, words, icons and shortcuts."""
     from BendTorsionWB.gui import commands as all_commands
@@ -31,6 +44,7 @@ def commands():
     steps.picture("toolbars")
     return {
         "toolbars": own,
+        "reachable": reachable(),
         "registered": [item.full_name in listed for item in made],
         "icons": [os.path.exists(item.GetResources()["Pixmap"]) for item in made],
         "words": [bool(item.text and len(item.tooltip) > 20) for item in made],
