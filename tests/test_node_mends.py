@@ -207,7 +207,7 @@ def test_stubs_too_short_or_too_long_for_the_branch_are_refused(ahead, length):
     (finding,) = made(length).findings
     assert finding.code == ("node-stub-short" if length < 1000 else "node-stub-long")
     assert finding.value == length and not made(length).nodes
-    told = float(re.search(r"stub_length (\d+) mm", finding.mend).group(1))
+    told = float(re.search(r"the stub (\d+) mm", finding.mend).group(1))
     assert told == finding.limit
     sound(made(told))
 

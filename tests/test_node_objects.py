@@ -19,6 +19,7 @@ from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.document import build_document
 from BendTorsionWB.document_nodes import nodes_told
 from BendTorsionWB.document_rows import rows_of
+from BendTorsionWB.objects import node as node_object
 from BendTorsionWB.objects.proxy import findings_of
 from BendTorsionWB.project import build, read_project
 
@@ -45,6 +46,30 @@ def hall(document):
 
 def state(obj):
     return obj.Status, tuple(obj.Marks), round(obj.Volume.Value)
+
+
+def test_limits_of_a_node_are_those_of_its_checks(document, hall):
+    """What lies within is built, what lies beyond is an error; in whatever state the node is."""
+    node = hall["node"]
+    found = node_object.limits(node)
+    node.Type, node.Gap = "stub", 500.0
+    document.recompute()
+    assert node.Status.startswith("error") and node_object.limits(node)["Gap"] == found["Gap"]
+    node.Gap = 3.0
+    assert node_object.limits(node) == found
+    for name, beyond in (("Gap", 0.1), ("StubLength", 10.0)):
+        least, most = found[name]
+        assert most > least
+        outside = [most + beyond] + ([least - beyond] if least else [])
+        for value, good in [(most, True), (least, True), *((v, False) for v in outside)]:
+            node.StubLength = found["StubLength"][0] + 200.0
+            setattr(node, name, value)
+            document.recompute()
+            assert (node.Status == "ok") == good, (name, value, node.Status)
+        node.Gap = 3.0
+    node.Other = None
+    document.recompute()
+    assert node_object.limits(node) == {}
 
 
 def test_a_node_cuts_its_branch_and_tells_what_it_is(hall):

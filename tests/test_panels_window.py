@@ -77,11 +77,40 @@ def test_joints_typed_for_a_face_take_units_and_go_back(window):
 
 
 def test_what_the_checks_refuse_cannot_be_accepted(window):
-    """A gap that leaves nothing of the branch: the node is in error, OK is off, Cancel mends."""
+    """A thickness that leaves no box: the plates are in error, OK is off, Cancel mends."""
     seen = step(window, "refused")
     status, allowed = seen["by the checks"]
     assert status.startswith("error") and not allowed
-    assert seen["cancelled"] == [3.0, "ok", []]
+    assert seen["cancelled"] == [12.0, "ok", []]
+
+
+def test_a_gap_and_a_stub_beyond_their_limits_leave_the_model_as_it_is(window):
+    """Refused at the field with the limit that the members have."""
+    seen = step(window, "node_fields")
+    gap, status, whole, ok, told = seen["500 mm"]
+    assert (gap, status, whole, ok) == (3.0, "ok", True, False) and "20 mm or less" in told
+    assert seen["4 mm"][:4] == [4.0, "ok", True, True]
+    for text in ("10 mm", "0 mm"):
+        length, status, whole, ok, told = seen[text]
+        assert (status, whole, ok) == ("ok", True, False), text
+        assert length == seen["stub"][0] and "too little" in told
+    assert seen["600 mm"][:4] == [600.0, "ok", True, True]
+    assert seen["cancelled"] == [3.0, "direct", "N1", "ok"]
+
+
+def test_a_stub_begins_with_a_length_that_can_be(window):
+    length, status, ok, told, plates, text = step(window, "node_fields")["stub"]
+    assert length == 500.0 and text == "500.00 mm"
+    assert status == plates == "ok" and ok and "stub_length" not in told
+
+
+def test_a_node_is_not_called_as_a_member_or_nothing(window):
+    """While it is typed; a name that can be is the node's once the field is left."""
+    seen = step(window, "node_fields")
+    for text, reason in (("M1", "M1 is a member"), (" ", "give the node a name")):
+        name, status, whole, ok, told = seen[f"name {text}"]
+        assert (name, status, whole, ok) == ("N1", "ok", True, False) and reason in told
+    assert seen["name K7"][3] and seen["left"] == ["K7", "ok", True]
 
 
 def test_joints_are_moved_added_and_removed_by_keys(window):

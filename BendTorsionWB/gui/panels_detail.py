@@ -8,6 +8,7 @@ import FreeCAD
 from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.property_form import PropertyForm
 from BendTorsionWB.gui.qt import QtWidgets
+from BendTorsionWB.gui.quantity_field import LARGEST
 from BendTorsionWB.gui.task_panel import TaskPanel
 
 translate = FreeCAD.Qt.translate
@@ -130,6 +131,10 @@ class BedPanel(_InSight):
         self.figures.setText(text.format(count=len(self.bed.Saddles), faces=faces))
 
 
+FIRST_STUB = 500.0
+"""mm, of a stub that has no length yet, as far as it can be."""
+
+
 class NodePanel(TaskPanel):
     """How one member ends on another."""
 
@@ -137,10 +142,52 @@ class NodePanel(TaskPanel):
         super().__init__(preview, translate("BendTorsion", "Node"), "BendTorsion_Node")
         self.node = preview.objects[0]
         kinds = {"Through": "Member", "Other": "Member"}
-        self.fields = PropertyForm(preview.objects, _rows(NODE_ROWS), self.changed, kinds)
+        checks = {"Node": self._check_name}
+        rows = _rows(NODE_ROWS)
+        self.fields = PropertyForm(preview.objects, rows, self.changed, kinds, checks=checks)
         self.add_form(self.fields)
         self.figures = QtWidgets.QLabel()
         self.body.addWidget(self.figures)
+        self._limit()
+
+    def changed(self) -> None:
+        """A stub without a length gets one that can be."""
+        node = self.node
+        bound = {path.lstrip(".") for path, _ in node.ExpressionEngine}
+        if node.Type == "stub" and not node.StubLength.Value and "StubLength" not in bound:
+            least, most = self._limits().get("StubLength", (0.0, 0.0))
+            if 0.0 < least <= most:
+                node.StubLength = max(least, min(FIRST_STUB, most))
+                self.fields.read(["StubLength"])
+        super().changed()
+
+    def update(self) -> None:
+        """What the fields can be depends on the members."""
+        super().update()
+        if not self.closed:
+            self._limit()
+
+    def _limits(self) -> dict[str, tuple[float, float]]:
+        # Here, not above: the panel is known before what computes is loaded.
+        from BendTorsionWB.objects import node as node_object
+
+        return node_object.limits(self.node)
+
+    def _limit(self) -> None:
+        found = self._limits()
+        for name in ("Gap", "StubLength"):
+            least, most = found.get(name, (0.0, LARGEST))
+            # Where no length can be, what is found says why.
+            self.fields.limit(name, *((least, most) if least <= most else (0.0, LARGEST)))
+
+    def _check_name(self, name: str) -> None:
+        """Raises ValueError for a name that tells the node from nothing."""
+        if not name.strip():
+            raise ValueError(translate("BendTorsion", "give the node a name"))
+        for obj in self.node.Document.Objects:
+            if getattr(obj, "BT_Type", "") == "Member" and obj.Label == name.strip():
+                words = translate("BendTorsion", "{name} is a member: give the node another name")
+                raise ValueError(words.format(name=name.strip()))
 
     def show_findings(self) -> None:
         """With what kind of node it is, and the length of a stub where there is one."""

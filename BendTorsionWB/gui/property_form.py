@@ -36,7 +36,8 @@ class PropertyForm(QtWidgets.QWidget):
     """Fields for properties of one object, or of several that get the same value.
 
     rows: (property, label). kinds: the kind of object a link property chooses from. changed: called
-    after each edit. limits: by property, the least and the most a quantity can be. `refused`: by
+    after each edit. limits: by property, the least and the most a quantity can be. checks: by
+    property, what raises ValueError for a text it cannot be. `refused`: by
     property, why its field holds what the property cannot be, marked at the field; `judged` is
     called when that changes.
     """
@@ -48,11 +49,13 @@ class PropertyForm(QtWidgets.QWidget):
         changed: Callable[[], None],
         kinds=None,
         limits=None,
+        checks=None,
     ):
         super().__init__()
         self.judged: Callable[[], None] = lambda: None
         self.objects, self.changed, self.kinds = list(objects), changed, dict(kinds or {})
         self.limits = dict(limits or {})
+        self.checks = dict(checks or {})
         # By property: what the objects had before the edit that is under way.
         self.before: dict[str, list[tuple]] = {}
         self.fields: dict[str, QtWidgets.QWidget] = {}
@@ -181,6 +184,8 @@ class PropertyForm(QtWidgets.QWidget):
         self.layout_.addWidget(self.beside[name], row, 1)
         if isinstance(field, QtWidgets.QLineEdit | QuantityField):
             field.editingFinished.connect(lambda: self._leave(name))
+        if name in self.checks:
+            field.textEdited.connect(lambda text: self._check_text(name, text))
         if isinstance(field, TypedLine | QuantityField):
             field.begun.connect(lambda: self._settle(name))
         if isinstance(field, QuantityField):
@@ -212,6 +217,24 @@ class PropertyForm(QtWidgets.QWidget):
         self.judge(name, "")
         self.changed()
 
+    def limit(self, name: str, least: float, most: float) -> None:
+        """Judge what is typed into the field of a quantity by these from now on."""
+        self.fields[name].limit(least, most)
+
+    def _check_text(self, name: str, text: str) -> None:
+        """Judge a text that is being typed; it goes to the property once the field is left."""
+        try:
+            self._check(name, text)
+        except ValueError as problem:
+            self.judge(name, words_of(problem))
+        else:
+            self.judge(name, "")
+
+    def _check(self, name: str, value) -> None:
+        # What is there already is no fault of this edit.
+        if name in self.checks and value != getattr(self.objects[0], name):
+            self.checks[name](value)
+
     def _edited(self, name: str, value) -> None:
         if self.ended:
             return
@@ -219,6 +242,7 @@ class PropertyForm(QtWidgets.QWidget):
         reader = READERS.get(self.objects[0].getTypeIdOfProperty(name), lambda given: given)
         try:
             value = reader(value)
+            self._check(name, value)
             for obj in self.objects:
                 # What is typed takes the place of an expression.
                 if _expression(obj, name):

@@ -103,6 +103,10 @@ class QuantityField(QtWidgets.QAbstractSpinBox):
         """What it held before the text was begun."""
         return self._before
 
+    def limit(self, least: float, most: float) -> None:
+        """Judge what is typed from now on by these."""
+        self._least, self._most = least, most
+
     def check(self, value: float, text: str) -> None:
         """Raises ValueError with the limit for a value beyond it; text: how it was written."""
         if value < self._least:

@@ -10,8 +10,10 @@ from dataclasses import replace
 from BendTorsionWB.core import detailing, rules
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.core.nodes.node_blend import with_blends
+from BendTorsionWB.core.nodes.node_branch import widest_gap
 from BendTorsionWB.core.nodes.node_input import DIAPHRAGMS, TYPES, NodeInput
 from BendTorsionWB.core.nodes.node_meetings import meetings_of, place_of
+from BendTorsionWB.core.nodes.node_reach import stub_limits
 from BendTorsionWB.core.nodes.nodes import Node as CoreNode
 from BendTorsionWB.objects import member as member_object
 from BendTorsionWB.objects.proxy import Property, Proxy, check_linked, linked
@@ -173,9 +175,10 @@ def members_of(obj) -> tuple:
     return one, other
 
 
-def value(obj, known: dict[str, detailing.MemberGeometry] | None = None) -> CoreNode:
+def value(obj, known: dict[str, detailing.MemberGeometry] | None = None, **asked) -> CoreNode:
     """The core node; raises BendTorsionError for what cannot be built. known: geometry of members
-    by object name, completed, so that many nodes ask a member once."""
+    by object name, completed, so that many nodes ask a member once. asked: fields of its NodeInput
+    in place of the object's."""
     known = {} if known is None else known
     through, other = members_of(obj)
     given = NodeInput(
@@ -189,6 +192,7 @@ def value(obj, known: dict[str, detailing.MemberGeometry] | None = None) -> Core
         obj.Diaphragms,
         obj.Blend,
     )
+    given = replace(given, **asked)
     beside = _linked_members(obj, "Beside")
     first = _linked_members(obj, "EndsOn")
     members = list({m.Name: m for m in (through, other, *beside, *first)}.values())
@@ -216,6 +220,22 @@ def value(obj, known: dict[str, detailing.MemberGeometry] | None = None) -> Core
         raise BendTorsionError(_of_document(f, obj, through) for f in dict.fromkeys(found.findings))
     _, node, branch = min(own, key=lambda item: item[0])
     return replace(node, name=obj.Node or node.name, branches=(branch.at_node(obj.Node),))
+
+
+def limits(obj) -> dict[str, tuple[float, float]]:
+    """The least and the most that Gap and StubLength of a node can be, mm, where they are right
+    otherwise; nothing of one that cannot be built with any. Its members' other nodes do not count.
+    """
+    plain = {"type": "direct", "stub_length": 0.0}
+    try:
+        (branch,) = value(obj, gap=0.0, **plain).branches
+        members = [member_object.value(item).member for item in members_of(obj)]
+        node_rules = rules.node_rules(obj.RulePack)
+        widest, _ = widest_gap(*members, branch.s_through, branch.s, node_rules)
+        (branch,) = value(obj, gap=min(obj.Gap.Value, widest), **plain).branches
+    except BendTorsionError:
+        return {}
+    return {"Gap": (0.0, widest), "StubLength": stub_limits(branch, members[1].length)}
 
 
 def _of_document(finding, obj, through):

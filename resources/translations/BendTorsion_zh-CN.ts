@@ -2387,6 +2387,10 @@
         <translation>测地线</translation>
     </message>
     <message>
+        <source>give the node a name</source>
+        <translation>请为节点命名</translation>
+    </message>
+    <message>
         <source>give three numbers: x, y, z</source>
         <translation>请给出三个数：x, y, z</translation>
     </message>
@@ -3029,6 +3033,10 @@
     <message>
         <source>{labels} have it already</source>
         <translation>{labels} 已有</translation>
+    </message>
+    <message>
+        <source>{name} is a member: give the node another name</source>
+        <translation>{name} 是构件名：请为节点另取名称</translation>
     </message>
     <message>
         <source>{name} is of no object: write the object before it, as in {example}</source>

@@ -90,14 +90,50 @@ def refused():
     document.recompute()
     result["undone"] = [bed.SaddleSpacing.Value, list(bed.ExpressionEngine)]
     document.clearUndos()
-    select(named("N1"))
-    run("Node")
-    retype(field("Gap"), "90 m")
+    select(named("B"))
+    run("Section")
+    retype(field("Thickness"), "400 mm")
     steps.settle(6)
-    result["by the checks"] = [named("N1").Status, ok_enabled()]
+    result["by the checks"] = [named("M1 plates").Status, ok_enabled()]
     press("Cancel")
-    result["cancelled"] = [named("N1").Gap.Value, named("N1").Status, document.UndoNames]
+    status = named("M1 plates").Status
+    result["cancelled"] = [named("B").Thickness.Value, status, document.UndoNames]
     return result
+
+
+def node_fields():
+    """The panel of a node: gaps, a stub and names that can be and that cannot."""
+    document, node = FreeCAD.ActiveDocument, named("N1")
+    select(node)
+    run("Node")
+
+    def state(name):
+        shown = field(name)
+        member = named("M2 plates").Mass > 0.0 and bool(named("M2 plates").Shape.Solids)
+        return [getattr(node, name), node.Status, member, ok_enabled(), shown.toolTip()]
+
+    def typed(name, text):
+        retype(field(name), text)
+        steps.settle(8)
+        found = state(name)
+        return [getattr(found[0], "Value", found[0]), *found[1:]]
+
+    seen = {text: typed("Gap", text) for text in ("500 mm", "4 mm")}
+    kind = field("Type")
+    kind.setCurrentIndex(kind.findData("stub"))
+    steps.settle(8)
+    seen["stub"] = [node.StubLength.Value, node.Status, ok_enabled(), panel_text()]
+    seen["stub"] += [named("M2 plates").Status, field("StubLength").text()]
+    seen |= {text: typed("StubLength", text) for text in ("10 mm", "0 mm", "600 mm")}
+    steps.picture("stub")
+    seen |= {f"name {text}": typed("Node", text) for text in ("M1", " ", "K7")}
+    field("Gap").setFocus()
+    steps.settle(8)
+    seen["left"] = [node.Node, node.Status, ok_enabled()]
+    press("Cancel")
+    seen["cancelled"] = [node.Gap.Value, node.Type, node.Node, node.Status]
+    document.clearUndos()
+    return seen
 
 
 def by_keys():
@@ -405,6 +441,7 @@ def other_cut():
 steps.run(
     double_clicks,
     refused,
+    node_fields,
     by_keys,
     lanes,
     part_tables,

@@ -208,10 +208,18 @@ def _overhang_findings(landings: Sequence[Landing], other: Member, s, row, rules
     ]
 
 
+def widest_gap(
+    through: Member, other: Member, s: float, t: float, rules: NodeRules
+) -> tuple[float, float]:
+    """The widest root gap that can be welded where two members meet, and the thinnest plate there,
+    mm."""
+    thin = min(min(wall_thickness(one, at).values()) for one, at in ((through, s), (other, t)))
+    return min(rules.widest_gap, rules.gap_over_thickness * thin), thin
+
+
 def _gap_findings(through, other, gap, s, t, row, rules) -> list[Finding]:
     """A root gap that is none, or too wide to be welded."""
-    thin = min(min(wall_thickness(one, at).values()) for one, at in ((through, s), (other, t)))
-    limit = min(rules.widest_gap, rules.gap_over_thickness * thin)
+    limit, thin = widest_gap(through, other, s, t, rules)
     if 0.0 <= gap <= limit:
         return []
     below = gap < 0.0

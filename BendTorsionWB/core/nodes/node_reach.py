@@ -37,12 +37,10 @@ def stub_places(branch: Branch) -> tuple[float, ...]:
     return tuple(branch.s_node + side.way * branch.row.stub_length for side in branch.sides)
 
 
-def stub_findings(branch: Branch, length: float, others: Sequence[Branch]) -> list[Finding]:
-    """Errors of stubs whose field joint lies within the through member or too near to it, or too
-    near to the branch's end or its next node. length: of the branch's axis, mm; others: the same
-    member at its other nodes."""
-    if branch.row.type != "stub":
-        return []
+def stub_limits(
+    branch: Branch, length: float, others: Sequence[Branch] = ()
+) -> tuple[float, float]:
+    """The shortest and the longest a branch's stubs can be, mm, as `stub_findings` counts them."""
     reach = max(
         side.high - branch.s_node if side.way > 0 else branch.s_node - side.low
         for side in branch.sides
@@ -57,20 +55,31 @@ def stub_findings(branch: Branch, length: float, others: Sequence[Branch]) -> li
         for end in ends
         if side.way * (end - 0.5 * (side.low + side.high)) > 0.0
     )
+    return (
+        10.0 * math.ceil((reach + SHORTEST_STUB) / 10.0),
+        10.0 * math.floor((room - SHORTEST_STUB) / 10.0),
+    )
+
+
+def stub_findings(branch: Branch, length: float, others: Sequence[Branch]) -> list[Finding]:
+    """Errors of stubs whose field joint lies within the through member or too near to it, or too
+    near to the branch's end or its next node. length: of the branch's axis, mm; others: the same
+    member at its other nodes."""
+    if branch.row.type != "stub":
+        return []
     given = branch.row.stub_length
-    least = 10.0 * math.ceil((reach + SHORTEST_STUB) / 10.0)
-    most = 10.0 * math.floor((room - SHORTEST_STUB) / 10.0)
+    least, most = stub_limits(branch, length, others)
     short = given < least
     if not short and given <= most:
         return []
-    mend = f"make stub_length {least:.0f} mm or more"
+    mend = f"make the stub {least:.0f} mm or more"
     return [
         error(
             "node-stub-short" if short else "node-stub-long",
             branch.member,
             f"the field joint of the stub on {branch.through} is within {SHORTEST_STUB:g} mm of "
             + ("its cut" if short else "the end of the branch or its next node"),
-            mend if short else f"make stub_length {most:.0f} mm or less, or the node direct",
+            mend if short else f"make the stub {most:.0f} mm or less, or the node direct",
             position=branch.place,
             value=given,
             limit=least if short else most,
