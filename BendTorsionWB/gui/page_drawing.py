@@ -14,6 +14,7 @@ import FreeCAD
 import FreeCADGui
 
 from BendTorsionWB.gui.qt import QtCore
+from BendTorsionWB.gui.recomputing import AGAIN
 from BendTorsionWB.objects.sheet_pages import let_wait
 from BendTorsionWB.sheets.qt import settle_threads
 
@@ -118,6 +119,10 @@ class _Kept:
 def _draw_again(document: str) -> None:
     if document in FreeCAD.listDocuments():
         found = FreeCAD.getDocument(document)
+        if found.Recomputing:
+            # What an undo brought back is computed meanwhile; a page would be within it.
+            QtCore.QTimer.singleShot(AGAIN, lambda: _draw_again(document))
+            return
         for name in sorted(_opened.get(found.Uid, ())):
             page = found.getObject(name)
             if page is not None:

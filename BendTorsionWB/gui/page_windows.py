@@ -8,6 +8,7 @@ import FreeCAD
 import FreeCADGui
 
 from BendTorsionWB.gui.qt import QtCore, QtWidgets
+from BendTorsionWB.gui.recomputing import AGAIN
 
 
 class PageWindows:
@@ -34,15 +35,18 @@ class PageWindows:
         """Nothing is known of a document that is closed."""
         self.gone = {one for one in self.gone if one[0] != document.Name}
 
-    def _wait(self, name: str) -> None:
+    def _wait(self, name: str, milliseconds: int = 0) -> None:
         if name not in self.waiting:
             self.waiting.add(name)
-            QtCore.QTimer.singleShot(0, lambda: self._settle(name))
+            QtCore.QTimer.singleShot(milliseconds, lambda: self._settle(name))
 
     def _settle(self, name: str) -> None:
         self.waiting.discard(name)
         document = FreeCAD.listDocuments().get(name)
         if document is None:
+            return
+        if document.Recomputing:
+            self._wait(name, AGAIN)
             return
         _close_without_page(name)
         for of, page in sorted(self.gone):

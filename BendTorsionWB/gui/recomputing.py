@@ -21,6 +21,10 @@ PATIENCE = 0.7
 """Seconds of work before the window looks for Esc."""
 
 
+AGAIN = 100
+"""Milliseconds until a document is looked at again that was being computed."""
+
+
 def keys_kept():
     """FreeCAD shows no progress bar of its own inside; the user's preference is as before then."""
     return preference("Document", "CanAbortRecompute", False)

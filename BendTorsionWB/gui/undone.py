@@ -11,11 +11,9 @@ import FreeCAD
 from BendTorsionWB.gui import tree
 from BendTorsionWB.gui.progress import PATIENCE, Cancelled, progress
 from BendTorsionWB.gui.qt import QtCore
-from BendTorsionWB.gui.recomputing import recompute_each, touched_in
+from BendTorsionWB.gui.recomputing import AGAIN, recompute_each, touched_in
 
 translate = FreeCAD.Qt.translate
-AGAIN = 100
-"""Milliseconds until a document is looked at again that was being computed."""
 
 
 class Undone:
