@@ -113,6 +113,14 @@ def test_a_node_is_not_called_as_a_member_or_nothing(window):
     assert seen["name K7"][3] and seen["left"] == ["K7", "ok", True]
 
 
+def test_what_runs_through_a_node_is_told_in_words_with_the_ranks(window):
+    """What is kept is the code; members without ranks have none."""
+    seen = step(window, "ranks_of_a_node")
+    assert [code for code, _ in seen["choices"]] == ["link", "rank"]
+    assert seen["choices"][1][1] == "the member of lower rank"
+    assert len(seen["ranks"]) == 1 and seen["ranks"][0].endswith(": M1 none, M2 none")
+
+
 def test_joints_are_moved_added_and_removed_by_keys(window):
     """Down goes to the next joint, Right moves it by 10 mm, Ins divides the longest plate, a place
     can be typed, Del removes; each rule is told with its figure and its limit."""

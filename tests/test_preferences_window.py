@@ -83,11 +83,23 @@ def test_sizes_that_cannot_be_are_told_and_not_kept(window):
 def test_the_window_s_language_is_a_preference(window):
     """English or Chinese, at once and when FreeCAD starts again."""
     assert {"English", "简体中文"} <= set(window["changed"]["languages"])
-    assert window["language"] == {
+    seen = window["language"]
+    assert {name: seen[name] for name in ("now", "kept", "word")} == {
         "now": "zh-CN",
         "kept": "zh-CN",
         "word": "高度 h",
     }
+
+
+def test_a_language_of_none_is_shown_as_english_and_left_alone(window):
+    text, count, same = window["language"]["of C"]
+    assert (text, same) == ("English", True) and count == 2
+
+
+def test_layers_say_what_is_on_them(window):
+    labels = window["language"]["layers"]
+    assert len(labels) == 9 and "CUT_OUTER: outer contour, to be cut" in labels
+    assert all(len(text.partition(": ")[2]) > 5 for text in labels)
 
 
 def test_an_existing_document_keeps_every_number(window):

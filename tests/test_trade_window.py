@@ -78,6 +78,14 @@ def test_types_of_sections_are_told_in_words(window):
     assert seen["value"] == "box2" and seen["apart"] >= 6
 
 
+def test_the_picker_names_its_points(window):
+    """The point under the mouse; itself, also to who cannot see it, by the one chosen."""
+    seen = step(window, "sections")
+    assert seen["points"] == ["top-left", "top", "right", "bottom"]
+    tooltip, name = seen["picker"]
+    assert tooltip == name and "of the section on the axis" in name
+
+
 def test_new_members_are_alone_in_sight_and_undo_brings_the_face_back(window):
     seen = step(window, "members")
     assert not any(seen["visible"].values()) and seen["selected"] == []

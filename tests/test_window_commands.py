@@ -127,7 +127,8 @@ def test_a_value_that_cannot_be_is_marked_at_its_field(window):
     """Plates as thick as the section: no plates, the reason in the panel, at the thickness."""
     seen = step(window, "section_panel")
     text, count, status = seen["bad"]
-    assert "t_top fills half the section" in text and "make t_top thinner" in text
+    assert "top plate thickness fills half the section" in text
+    assert "make top plate thickness thinner" in text and "t_top" not in text
     assert count == 0 and status.startswith("error: B600")
     assert seen["flagged"] == [True, False] and seen["ok"] is False
 
@@ -248,6 +249,14 @@ def test_a_panel_edits_its_own_document_and_goes_with_it(window):
 def test_a_deleted_source_is_told_in_the_panel(window):
     """The member without its axis."""
     assert "M2: Axis is not set" in step(window, "documents")["source_gone"]
+
+
+def test_the_tree_keeps_its_columns_while_a_package_is_written(output):
+    """FreeCAD's column of labels is as wide as they are; while the tree folds a document it stays
+    so, and no column beside it comes into view. It follows its contents again afterwards."""
+    seen, widths, mode = output["tree"]
+    contents = 3
+    assert seen > 5 and len(widths) == 1 and mode == contents
 
 
 def test_package_is_that_of_the_command_line_and_can_be_stopped(output):

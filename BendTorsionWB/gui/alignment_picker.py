@@ -14,7 +14,8 @@ ROWS = (
     ("bottom-left", "bottom", "bottom-right"),
 )
 """As seen walking along the axis, the height upwards."""
-MARGIN, SIZE, DOT, REACH = 14, 108, 4.0, 14.0
+MARGIN, SIZE, DOT, REACH = 26, 132, 4.0, 14.0
+"""Pixels; the words of the four sides stand in the margin."""
 CHOSEN = "#f0a020"
 
 
@@ -30,6 +31,11 @@ class AlignmentPicker(QtWidgets.QWidget):
         self.setFocusPolicy(QtCore.Qt.StrongFocus)
         self.setMouseTracking(True)
         self.setObjectName("alignment")
+        self.setAccessibleDescription(
+            translate(
+                "BendTorsion", "Nine points of the section, seen along the axis with the height up"
+            )
+        )
         self._tell()
 
     def choose(self, value: str) -> None:
@@ -45,6 +51,13 @@ class AlignmentPicker(QtWidgets.QWidget):
         row, column = _place(name)
         step = (SIZE - 2 * MARGIN) / 2.0
         return QtCore.QPointF(MARGIN + column * step, MARGIN + row * step)
+
+    def event(self, event):
+        """The tooltip of a point names that point."""
+        if event.type() == QtCore.QEvent.ToolTip:
+            name = self._under(event.pos())
+            self.setToolTip(translate("BendTorsion", name) if name else self._words())
+        return super().event(event)
 
     def mousePressEvent(self, event):
         """Choose the position clicked."""
@@ -78,6 +91,7 @@ class AlignmentPicker(QtWidgets.QWidget):
         painter.drawRect(outer)
         painter.setPen(QtGui.QPen(ink, 0.8))
         painter.drawRect(outer.adjusted(6, 6, -6, -6))
+        self._name_sides(painter)
         if self.hasFocus():
             painter.setPen(QtGui.QPen(self.palette().color(QtGui.QPalette.Highlight), 1.0))
             painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
@@ -89,6 +103,23 @@ class AlignmentPicker(QtWidgets.QWidget):
             painter.drawEllipse(self.point_of(name), size, size)
         painter.end()
 
+    def _name_sides(self, painter) -> None:
+        """What the sides are called, outside of the section; upright at left and right."""
+        room = MARGIN - 2 * int(DOT)
+        font = self.font()
+        font.setPixelSize(11)
+        painter.save()
+        painter.setFont(font)
+        painter.translate(SIZE / 2.0, SIZE / 2.0)
+        for name, turn in (("top", 0), ("bottom", 0), ("left", -90), ("right", 90)):
+            painter.save()
+            painter.rotate(turn)
+            y = SIZE // 2 - room if name == "bottom" else -SIZE // 2
+            line = QtCore.QRect(-SIZE // 2, y, SIZE, room)
+            painter.drawText(line, QtCore.Qt.AlignCenter, translate("BendTorsion", name))
+            painter.restore()
+        painter.restore()
+
     def _under(self, place) -> str:
         near = {
             name: QtCore.QLineF(QtCore.QPointF(place), self.point_of(name)).length()
@@ -99,10 +130,12 @@ class AlignmentPicker(QtWidgets.QWidget):
         return name if near[name] <= REACH else ""
 
     def _tell(self) -> None:
-        words = translate("BendTorsion", self.value)
+        self.setToolTip(self._words())
+        self.setAccessibleName(self._words())
+
+    def _words(self) -> str:
         text = translate("BendTorsion", "{position} of the section on the axis; arrow keys move it")
-        self.setToolTip(text.format(position=words))
-        self.setAccessibleName(words)
+        return text.format(position=translate("BendTorsion", self.value))
 
 
 def _place(name: str) -> tuple[int, int]:

@@ -116,7 +116,7 @@ def node(document) -> None:
     )
     members = selection.of_member(given, "Member", mend)
     if len(members) != 2:
-        words = translate("BendTorsion", "{count} members are selected, two are needed")
+        words = translate("BendTorsion", "{count} selected, two members are needed")
         raise selection.refusal(words.format(count=len(members)), mend)
     there = [
         item

@@ -19,6 +19,14 @@ from BendTorsionWB.core.finding import BendTorsionError, Finding
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 CHINESE = "zh-CN"
+SIZES = {
+    "t_top": QT_TRANSLATE_NOOP("BendTorsion", "top plate thickness"),
+    "t_bottom": QT_TRANSLATE_NOOP("BendTorsion", "bottom plate thickness"),
+    "t_web": QT_TRANSLATE_NOOP("BendTorsion", "web thickness"),
+    "b_bottom": QT_TRANSLATE_NOOP("BendTorsion", "breadth at the bottom"),
+}
+"""Columns of the schedule that findings name, in the words of the panels."""
+SIZE = re.compile(rf"(?<![\w.-])(?:{'|'.join(SIZES)})(?![\w.-])", re.ASCII)
 FIGURE = re.compile(r"[-+]?\d[\d.,]*")
 
 COUNTED = {
@@ -43,6 +51,11 @@ def of_text(text: str) -> Finding:
 def line(finding: Finding) -> str:
     """The whole finding as one line."""
     return finding_language.chinese_line(finding) if is_chinese() else finding.line()
+
+
+def _sizes_named(text: str) -> str:
+    """A text with the sizes of a section as a panel calls them."""
+    return SIZE.sub(lambda found: translate("BendTorsion", SIZES[found[0]]), text)
 
 
 def counts(severities: Iterable[str]) -> str:
@@ -114,7 +127,9 @@ def cells(finding: Finding, names: Sequence[str]) -> list[str]:
 
 
 def _told(finding: Finding) -> Finding:
-    return finding_language.chinese_finding(finding) if is_chinese() else finding
+    found = finding_language.chinese_finding(finding) if is_chinese() else finding
+    message, mend = _sizes_named(found.message), _sizes_named(found.mend)
+    return replace(found, message=message, mend=mend)
 
 
 def in_window_words(finding: Finding, document) -> Finding:

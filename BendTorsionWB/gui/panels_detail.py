@@ -45,7 +45,7 @@ NODE_ROWS = (
     ("Node", QT_TRANSLATE_NOOP("BendTorsion", "Name of the node")),
     ("Through", QT_TRANSLATE_NOOP("BendTorsion", "Runs through")),
     ("Other", QT_TRANSLATE_NOOP("BendTorsion", "Ends on it")),
-    ("ThroughBy", QT_TRANSLATE_NOOP("BendTorsion", "Which runs through, by")),
+    ("ThroughBy", QT_TRANSLATE_NOOP("BendTorsion", "Which runs through")),
     ("Place", QT_TRANSLATE_NOOP("BendTorsion", "About where, if they meet twice")),
     ("Type", QT_TRANSLATE_NOOP("BendTorsion", "Type")),
     ("Gap", QT_TRANSLATE_NOOP("BendTorsion", "Root gap")),
@@ -194,16 +194,28 @@ class NodePanel(TaskPanel):
         super().show_findings()
         names = {name for name, _ in NODE_ROWS}
         self.fields.show_rows(names - (set() if self.node.Type == "stub" else {"StubLength"}))
-        # Of members that do not meet there is neither angle nor distance.
-        self.figures.setVisible(bool(self.node.Kind))
-        text = translate("BendTorsion", "{kind}, angle {angle:.1f}°, axes {off:.2f} mm apart")
-        self.figures.setText(
-            text.format(
-                kind=translate("BendTorsion", self.node.Kind),
-                angle=self.node.CrossingAngle.Value,
-                off=self.node.AxisDistance.Value,
+        lines = []
+        if self.node.ThroughBy == "rank":
+            none = translate("BendTorsion", "none")
+            members = [item for item in (self.node.Through, self.node.Other) if item is not None]
+            ranks = ", ".join(f"{item.Label} {item.Rank or none}" for item in members)
+            lines.append(
+                translate("BendTorsion", "Ranks, property Rank of members: {ranks}").format(
+                    ranks=ranks
+                )
             )
-        )
+        # Of members that do not meet there is neither angle nor distance.
+        if self.node.Kind:
+            text = translate("BendTorsion", "{kind}, angle {angle:.1f}°, axes {off:.2f} mm apart")
+            lines.append(
+                text.format(
+                    kind=translate("BendTorsion", self.node.Kind),
+                    angle=self.node.CrossingAngle.Value,
+                    off=self.node.AxisDistance.Value,
+                )
+            )
+        self.figures.setVisible(bool(lines))
+        self.figures.setText("\n".join(lines))
 
 
 class SheetsPanel(TaskPanel):

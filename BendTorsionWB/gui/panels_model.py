@@ -48,7 +48,12 @@ HIDDEN = {
 """By type: what has no meaning and is hidden; NO_BOTTOM for all others."""
 SURFACE_ROWS = (
     ("Kind", QT_TRANSLATE_NOOP("BendTorsion", "Kind")),
-    *((name, name) for name in ("a", "b", "c", "R", "r", "angle")),
+    ("a", QT_TRANSLATE_NOOP("BendTorsion", "Half-axis a")),
+    ("b", QT_TRANSLATE_NOOP("BendTorsion", "Half-axis b")),
+    ("c", QT_TRANSLATE_NOOP("BendTorsion", "Half-axis c")),
+    ("R", QT_TRANSLATE_NOOP("BendTorsion", "Radius R of the ring")),
+    ("r", QT_TRANSLATE_NOOP("BendTorsion", "Radius r")),
+    ("angle", QT_TRANSLATE_NOOP("BendTorsion", "Half angle")),
     ("x", QT_TRANSLATE_NOOP("BendTorsion", "Origin x")),
     ("y", QT_TRANSLATE_NOOP("BendTorsion", "Origin y")),
     ("z", QT_TRANSLATE_NOOP("BendTorsion", "Origin z")),

@@ -178,6 +178,18 @@ LAYERS = tuple(
     Preference(f"Layer{name}", name, name, "make_unfold", "layers") for name in LAYER_KEYS
 )
 """Names of the layers of cut files."""
+LAYER_WORDS = {
+    "CUT_OUTER": QT_TRANSLATE_NOOP("BendTorsion", "outer contour, to be cut"),
+    "CUT_INNER": QT_TRANSLATE_NOOP("BendTorsion", "openings and slots, to be cut"),
+    "MARK_LINE": QT_TRANSLATE_NOOP("BendTorsion", "station lines and other lines, to be marked"),
+    "MARK_ROLL": QT_TRANSLATE_NOOP("BendTorsion", "lines the plate is rolled or pressed along"),
+    "MARK_FOLD": QT_TRANSLATE_NOOP("BendTorsion", "fold lines"),
+    "MARK_BEVEL": QT_TRANSLATE_NOOP("BendTorsion", "bevels of the edges, as text"),
+    "MARK_TEXT": QT_TRANSLATE_NOOP("BendTorsion", "texts, to be marked"),
+    "PUNCH": QT_TRANSLATE_NOOP("BendTorsion", "punch marks"),
+    "REF": QT_TRANSLATE_NOOP("BendTorsion", "for reference, neither cut nor marked"),
+}
+"""What is on each of them."""
 PREFERENCES = (*SECTIONS, *OTHERS, *SHEETS, *LAYERS)
 
 

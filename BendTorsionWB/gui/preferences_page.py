@@ -10,7 +10,7 @@ from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.core.patterns.layer_names import layer_names
 from BendTorsionWB.core.tolerances import LARGEST_SIZE, NEAREST_STATIONS, SMALLEST_SIZE
 from BendTorsionWB.gui import ask, finding_words
-from BendTorsionWB.gui.preferences import LAYERS, OTHERS, SECTIONS, SHEETS
+from BendTorsionWB.gui.preferences import LAYER_WORDS, LAYERS, OTHERS, SECTIONS, SHEETS
 from BendTorsionWB.gui.property_form import FLAWED
 from BendTorsionWB.gui.qt import QtWidgets
 from BendTorsionWB.gui.quantity_field import QuantityField
@@ -57,7 +57,10 @@ class _Page:
                 field = QtWidgets.QLineEdit()
                 field.setPlaceholderText(item.default)
             field.setObjectName(item.name)
-            form.addRow(translate("BendTorsion", item.label), field)
+            label = translate("BendTorsion", item.label)
+            if item in LAYERS:
+                label = f"{label}: {_layer_words(item)}"
+            form.addRow(label, field)
             self.fields[item.name] = item, field
         self.layout.addWidget(box)
 
@@ -104,6 +107,10 @@ def _mark(field) -> None:
     field.setToolTip(reason)
 
 
+def _layer_words(item) -> str:
+    return translate("BendTorsion", LAYER_WORDS[item.default])
+
+
 class PreferencesPage(_Page):
     """What new objects start with."""
 
@@ -127,13 +134,17 @@ class OutputPage(_Page):
         super().__init__(translate("BendTorsion", "Files and language"))
         box = QtWidgets.QGroupBox(translate("BendTorsion", "Window"))
         form = QtWidgets.QFormLayout(box)
+        self.shown = ""
         self.language = QtWidgets.QComboBox()
         self.language.setObjectName("WindowLanguage")
         form.addRow(translate("BendTorsion", "Language of FreeCAD"), self.language)
         self.layout.addWidget(box)
         self.group(translate("BendTorsion", "Drawing sheets"), SHEETS)
         self.group(translate("BendTorsion", "Layers of cut files"), LAYERS)
-        for _, field in self._layers():
+        for item, field in self._layers():
+            words = _layer_words(item)
+            field.setToolTip(words)
+            field.setAccessibleDescription(words)
             field.textChanged.connect(lambda _: self._layers_fault())
         self.note(
             translate(
@@ -150,7 +161,11 @@ class OutputPage(_Page):
         # By code: FreeCAD 1.1 has other names for its languages than 0.20.
         locales = FreeCADGui.supportedLocales()
         names = {name: LANGUAGES[code] for name, code in locales.items() if code in LANGUAGES}
+        if now not in locales:
+            # Without a language of its own, as where the system's is C, FreeCAD speaks English.
+            now = next(name for name, code in locales.items() if code == "en")
         names.setdefault(now, now)
+        self.shown = now
         self.language.clear()
         for name, own in names.items():
             self.language.addItem(own, name)
@@ -168,10 +183,10 @@ class OutputPage(_Page):
             layer_names((line for line in lines if not line.endswith("=")), "")
         except BendTorsionError as problem:
             faults = {f.value: finding_words.reason(f) for f in problem.findings}
-        for (_, field), line in zip(self._layers(), lines, strict=True):
+        for (item, field), line in zip(self._layers(), lines, strict=True):
             reason = faults.get(line) or faults.get(line.split("=", 1)[1].lower(), "")
             field.setStyleSheet(FLAWED if reason else "")
-            field.setToolTip(reason)
+            field.setToolTip(reason or _layer_words(item))
         return "\n".join(faults.values())
 
     def saveSettings(self):
@@ -184,6 +199,6 @@ class OutputPage(_Page):
             ask.warn(fault)
         super().saveSettings()
         wanted = self.language.currentData()
-        if wanted and wanted != FreeCADGui.getLocale():
+        if wanted and wanted != self.shown:
             FreeCAD.ParamGet(GENERAL).SetString("Language", wanted)
             FreeCADGui.setLocale(wanted)

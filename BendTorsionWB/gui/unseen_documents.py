@@ -2,7 +2,9 @@
 """Documents that files are made of are not seen in the tree.
 
 FreeCAD's `hidden` spares a document its view only: the tree lists it all the same. One that is
-temporary is not listed, but knows no file that another could link to.
+temporary is not listed, but knows no file that another could link to. The tree also folds the one
+that was active for each that comes; the column of labels, as wide as they are, would shrink then,
+and the empty column *Description* come into view beside it.
 """
 
 from __future__ import annotations
@@ -14,16 +16,37 @@ import FreeCADGui
 
 from BendTorsionWB.gui.qt import QtCore, QtWidgets
 
+SETTLED = 500
+"""Milliseconds after which the tree has unfolded the document again."""
+
 
 @contextmanager
 def unseen_documents():
     """Documents without a view that are opened or made meanwhile are left out of the tree."""
     observer = _Unseen()
     FreeCAD.addDocumentObserver(observer)
+    fixed = QtWidgets.QHeaderView.Fixed
+    modes = [(header, header.sectionResizeMode(0)) for header in _headers()]
+    # Those that are held already are let go by who holds them.
+    modes = [(header, mode) for header, mode in modes if mode != fixed]
+    for header, _ in modes:
+        header.setSectionResizeMode(0, fixed)
     try:
         yield
     finally:
         FreeCAD.removeDocumentObserver(observer)
+        # The tree follows what happened to documents once the window has time again.
+        QtCore.QTimer.singleShot(SETTLED, lambda: _release(modes))
+
+
+def _release(modes) -> None:
+    """Let columns follow their contents again."""
+    for header, mode in modes:
+        header.setSectionResizeMode(0, mode)
+
+
+def _headers() -> list:
+    return [tree.header() for tree in _trees()]
 
 
 class _Unseen:

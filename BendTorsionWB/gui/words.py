@@ -148,8 +148,17 @@ SECTION_TYPES = {
 """What the codes of section types mean."""
 
 
+THROUGH_BY = {
+    "link": QT_TRANSLATE_NOOP("BendTorsion", "the member chosen above"),
+    "rank": QT_TRANSLATE_NOOP("BendTorsion", "the member of lower rank"),
+}
+"""What decides which member runs through at a node."""
+
+
 def choice_text(kind: str, name: str, choice: str) -> str:
     """A choice of a property of a kind of object as a field shows it; a code with its meaning."""
+    if (kind, name) == ("Node", "ThroughBy"):
+        return translate("BendTorsion", THROUGH_BY[choice])
     if (kind, name) == ("SectionSpec", "Type"):
         return f"{choice}: {translate('BendTorsion', SECTION_TYPES[choice])}"
     return translate("BendTorsion", choice)

@@ -1619,6 +1619,22 @@
         <translation>始端余量，mm</translation>
     </message>
     <message>
+        <source>Half angle</source>
+        <translation>半顶角</translation>
+    </message>
+    <message>
+        <source>Half-axis a</source>
+        <translation>半轴 a</translation>
+    </message>
+    <message>
+        <source>Half-axis b</source>
+        <translation>半轴 b</translation>
+    </message>
+    <message>
+        <source>Half-axis c</source>
+        <translation>半轴 c</translation>
+    </message>
+    <message>
         <source>Height h</source>
         <translation>高度 h</translation>
     </message>
@@ -1759,6 +1775,10 @@
         <translation>新图纸和展开图以这些值开始；已有的保留自己的值。</translation>
     </message>
     <message>
+        <source>Nine points of the section, seen along the axis with the height up</source>
+        <translation>截面的九个点，沿轴线看，高度向上</translation>
+    </message>
+    <message>
         <source>No members yet: {select} makes them, {read} reads them</source>
         <translation>尚无构件：用“{select}”生成，或用“{read}”读入</translation>
     </message>
@@ -1873,6 +1893,18 @@
     <message>
         <source>Project</source>
         <translation>项目</translation>
+    </message>
+    <message>
+        <source>Radius R of the ring</source>
+        <translation>圆环半径 R</translation>
+    </message>
+    <message>
+        <source>Radius r</source>
+        <translation>半径 r</translation>
+    </message>
+    <message>
+        <source>Ranks, property Rank of members: {ranks}</source>
+        <translation>等级（构件的属性 Rank）：{ranks}</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -2139,8 +2171,8 @@
         <translation>焊缝</translation>
     </message>
     <message>
-        <source>Which runs through, by</source>
-        <translation>贯通构件的确定方式</translation>
+        <source>Which runs through</source>
+        <translation>由谁贯通</translation>
     </message>
     <message>
         <source>Window</source>
@@ -2235,8 +2267,16 @@
         <translation>应在相邻拼接缝之间：{least:.0f} 至 {most:.0f} mm</translation>
     </message>
     <message>
+        <source>bevels of the edges, as text</source>
+        <translation>边缘坡口，文字</translation>
+    </message>
+    <message>
         <source>bottom</source>
         <translation>下</translation>
+    </message>
+    <message>
+        <source>bottom plate thickness</source>
+        <translation>底板厚度</translation>
     </message>
     <message>
         <source>bottom-left</source>
@@ -2253,6 +2293,10 @@
     <message>
         <source>box2</source>
         <translation>箱形2</translation>
+    </message>
+    <message>
+        <source>breadth at the bottom</source>
+        <translation>底部宽度</translation>
     </message>
     <message>
         <source>centre</source>
@@ -2371,6 +2415,14 @@
         <translation>平板</translation>
     </message>
     <message>
+        <source>fold lines</source>
+        <translation>折线</translation>
+    </message>
+    <message>
+        <source>for reference, neither cut nor marked</source>
+        <translation>仅供参考，不切割也不划线</translation>
+    </message>
+    <message>
         <source>forming</source>
         <translation>成形类别</translation>
     </message>
@@ -2473,6 +2525,10 @@
     <message>
         <source>linear</source>
         <translation>线性</translation>
+    </message>
+    <message>
+        <source>lines the plate is rolled or pressed along</source>
+        <translation>卷制或压制线</translation>
     </message>
     <message>
         <source>link</source>
@@ -2619,12 +2675,20 @@
         <translation>穹顶上的一根变截面构件</translation>
     </message>
     <message>
+        <source>openings and slots, to be cut</source>
+        <translation>孔和槽，切割</translation>
+    </message>
+    <message>
         <source>or click the member where the axis is to be</source>
         <translation>或点击构件上轴线应在的位置</translation>
     </message>
     <message>
         <source>outer</source>
         <translation>外面</translation>
+    </message>
+    <message>
+        <source>outer contour, to be cut</source>
+        <translation>外轮廓，切割</translation>
     </message>
     <message>
         <source>outside</source>
@@ -2669,6 +2733,10 @@
     <message>
         <source>pull</source>
         <translation>拉到曲面</translation>
+    </message>
+    <message>
+        <source>punch marks</source>
+        <translation>冲点</translation>
     </message>
     <message>
         <source>rank</source>
@@ -2815,6 +2883,10 @@
         <translation>垂直</translation>
     </message>
     <message>
+        <source>station lines and other lines, to be marked</source>
+        <translation>测量线及其他线，划线</translation>
+    </message>
+    <message>
         <source>strain</source>
         <translation>应变</translation>
     </message>
@@ -2843,6 +2915,10 @@
         <translation>T 形</translation>
     </message>
     <message>
+        <source>texts, to be marked</source>
+        <translation>文字，打标</translation>
+    </message>
+    <message>
         <source>the document has no member</source>
         <translation>文档中没有构件</translation>
     </message>
@@ -2859,8 +2935,16 @@
         <translation>长度为轴线长度，单位 mm</translation>
     </message>
     <message>
+        <source>the member chosen above</source>
+        <translation>上面所选的构件</translation>
+    </message>
+    <message>
         <source>the member has no plates</source>
         <translation>该构件没有板件</translation>
+    </message>
+    <message>
+        <source>the member of lower rank</source>
+        <translation>等级较低的构件</translation>
     </message>
     <message>
         <source>the plane does not cut the surface</source>
@@ -2897,6 +2981,10 @@
     <message>
         <source>top</source>
         <translation>上</translation>
+    </message>
+    <message>
+        <source>top plate thickness</source>
+        <translation>顶板厚度</translation>
     </message>
     <message>
         <source>top-left</source>
@@ -2943,6 +3031,10 @@
         <translation>实际</translation>
     </message>
     <message>
+        <source>web thickness</source>
+        <translation>腹板厚度</translation>
+    </message>
+    <message>
         <source>webs</source>
         <translation>腹板</translation>
     </message>
@@ -2975,10 +3067,6 @@
         <translation>已选择 {count} 个面，需要一个</translation>
     </message>
     <message>
-        <source>{count} members are selected, two are needed</source>
-        <translation>已选择 {count} 根构件，需要两根</translation>
-    </message>
-    <message>
         <source>{count} members from M{first} on, cut into plates</source>
         <translation>{count} 根构件，自 M{first} 起编号，并分成板件</translation>
     </message>
@@ -3005,6 +3093,10 @@
     <message>
         <source>{count} saddles, lying on: {faces}</source>
         <translation>{count} 个托架，朝下的面：{faces}</translation>
+    </message>
+    <message>
+        <source>{count} selected, two members are needed</source>
+        <translation>已选 {count} 个，需要两个构件</translation>
     </message>
     <message>
         <source>{count} shapes are selected, one is needed</source>

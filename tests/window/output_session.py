@@ -81,8 +81,18 @@ def output():
     result["bars"] = bars[:1]
     result["stopped"] = sorted(os.listdir(stopped)) if os.path.isdir(stopped) else []
     package = os.path.join(FOLDER, "package")
+    tree = steps.document_tree()
+    tree.expandAll()
+    steps.settle()
+    widths = []
+    watch = QtCore.QTimer()
+    watch.timeout.connect(lambda: widths.append(tree.columnWidth(0)))
+    watch.start(5)
     with asked(folder=package), documents_seen() as seen:
         result["package_shown"] = run("ExportPackage")
+    steps.settle(12)
+    watch.stop()
+    result["tree"] = [len(widths), sorted(set(widths)), int(tree.header().sectionResizeMode(0))]
     result["seen"] = [sorted(seen), document.Label]
     result["package"] = sorted(os.listdir(package))
     result["plates"] = sorted(os.listdir(os.path.join(package, "plates")))

@@ -101,6 +101,20 @@ def refused():
     return result
 
 
+def ranks_of_a_node():
+    """Which member runs through, as the panel of a node says it, and the ranks it shows."""
+    select(named("N1"))
+    run("Node")
+    by = field("ThroughBy", QtGui.QComboBox)
+    result = {"choices": [[by.itemData(k), by.itemText(k)] for k in range(by.count())]}
+    by.setCurrentIndex(by.findData("rank"))
+    steps.settle(6)
+    shown = [label.text() for label in window().findChildren(QtGui.QLabel) if label.isVisible()]
+    result["ranks"] = [text.splitlines()[0] for text in shown if text.startswith("Ranks")]
+    press("Cancel")
+    return result
+
+
 def node_fields():
     """The panel of a node: gaps, a stub and names that can be and that cannot."""
     document, node = FreeCAD.ActiveDocument, named("N1")
@@ -441,6 +455,7 @@ def other_cut():
 steps.run(
     double_clicks,
     refused,
+    ranks_of_a_node,
     node_fields,
     by_keys,
     lanes,

@@ -175,7 +175,18 @@ def language():
     from BendTorsionWB.gui.preferences_page import OutputPage
 
     page = OutputPage()
+    # What FreeCAD says where it was told no language, and the system's is C.
+    before = FreeCADGui.getLocale
+    FreeCADGui.getLocale = lambda: "C"
     page.loadSettings()
+    count, general = page.language.count(), "User parameter:BaseApp/Preferences/General"
+    told = FreeCAD.ParamGet(general).GetString("Language")
+    page.saveSettings()
+    same = FreeCAD.ParamGet(general).GetString("Language") == told
+    of_c = [page.language.currentText(), count, same]
+    FreeCADGui.getLocale = before
+    page.loadSettings()
+    labels = [label.text() for label in page.form.findChildren(QtGui.QLabel)]
     page.language.setCurrentIndex(page.language.findText("简体中文"))
     page.saveSettings()
     steps.settle()
@@ -184,6 +195,8 @@ def language():
         "now": FreeCADGui.supportedLocales()[FreeCADGui.getLocale()],
         "kept": FreeCADGui.supportedLocales()[kept],
         "word": FreeCAD.Qt.translate("BendTorsion", "Height h"),
+        "of C": of_c,
+        "layers": [text for text in labels if text.partition(":")[0].isupper()],
     }
 
 

@@ -62,8 +62,22 @@ def sections():
     steps.settle(2)
     picker, first = dialog.align.geometry(), dialog.first.geometry()
     seen["apart"] = first.top() - picker.bottom()
+    seen["points"] = [
+        pointed_at(dialog.align, name) for name in ("top-left", "top", "right", "bottom")
+    ]
+    pointed_at(dialog.align, None)
+    seen["picker"] = [dialog.align.toolTip(), dialog.align.accessibleName()]
+    steps.picture("dialog_picker")
     dialog.close()
     return seen
+
+
+def pointed_at(picker, name):
+    """The tooltip of a nine-point picker at one of its points, or beside them all."""
+    at = picker.point_of(name).toPoint() if name else QtCore.QPoint(1, 1)
+    event = QtGui.QHelpEvent(QtCore.QEvent.ToolTip, at, picker.mapToGlobal(at))
+    QtGui.QApplication.sendEvent(picker, event)
+    return picker.toolTip()
 
 
 def members():
