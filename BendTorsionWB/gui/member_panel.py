@@ -64,7 +64,7 @@ class MemberPanel(TaskPanel):
         self.body.addWidget(self.box)
         self.transition = QtWidgets.QLabel()
         self.segment_fields, self.shown = None, 0
-        self.picking = None
+        self.picking = self.slider = None
         self.dragger = None
         self._list(segment)
 
@@ -92,6 +92,7 @@ class MemberPanel(TaskPanel):
             text = text.format(length=end - start, start=start, end=end)
         self.transition.setText(text)
         self.transition.setVisible(bool(text))
+        self._show_cut()
         if self.dragger is not None and self.dragger.held is None and not self.closed:
             self.dragger.refresh()
 
@@ -162,16 +163,13 @@ class MemberPanel(TaskPanel):
         self.box.setTitle(translate("BendTorsion", "Segment {number}").format(number=k))
         picker = AlignmentPicker(getattr(self.member, f"Align{k}"))
         picker.chosen.connect(self._align)
-        self.picker = picker
+        self.picker, self.slider = picker, None
         self.inner.addWidget(self.segment_fields)
         self.inner.addWidget(self.transition)
         if k > 1 or closed:
             self.slider = QtWidgets.QSlider(QtCore.Qt.Horizontal)
             self.slider.setRange(1, STEPS - 1)
             self.slider.setToolTip(translate("BendTorsion", "Drag the cut along the axis"))
-            length = self.member.Axis.Length.Value if self.member.Axis else 0.0
-            cut = getattr(self.member, f"Cut{k}").Value
-            self.slider.setValue(int(STEPS * cut / length) if length else 1)
             self.slider.valueChanged.connect(self._slide)
             self.inner.addWidget(self.slider)
             self.pick = QtWidgets.QPushButton(translate("BendTorsion", "Pick the cut in 3D"))
@@ -196,11 +194,25 @@ class MemberPanel(TaskPanel):
         setattr(self.member, f"CutOffset{k}", 0.0)
         setattr(self.member, f"Cut{k}", round(place, 1))
         self.segment_fields.read((f"Cut{k}",))
-        length = self.member.Axis.Length.Value
-        self.slider.blockSignals(True)
-        self.slider.setValue(round(STEPS * place / length) if length else 1)
-        self.slider.blockSignals(False)
+        self._show_cut()
         self.moved()
+
+    def _show_cut(self) -> None:
+        """The slider where the cut is, also by an expression; of one that is nowhere it stays."""
+        from BendTorsionWB.objects import axis as axis_object
+        from BendTorsionWB.objects.proxy import linked
+        from BendTorsionWB.objects.segment_edit import cut_length
+
+        if self.slider is None or self.slider.isSliderDown():
+            return
+        try:
+            axis = axis_object.value(linked(self.member, "Axis", "Axis"))
+            place = cut_length(self.member, self.segment, axis)
+        except BendTorsionError:
+            return
+        self.slider.blockSignals(True)
+        self.slider.setValue(round(STEPS * place / axis.length))
+        self.slider.blockSignals(False)
 
     def _add(self) -> None:
         """Divide the segment shown in its middle, unless what was typed is to be mended first."""

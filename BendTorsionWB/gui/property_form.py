@@ -135,7 +135,10 @@ class PropertyForm(QtWidgets.QWidget):
 
     def told(self) -> list[str]:
         """What is wrong with the fields that hold what cannot be, one line each."""
-        return [f"{self.labels[name].text()}: {reason}" for name, reason in self.refused.items()]
+        return [
+            f"{text} {reason}" if text.endswith(":") else f"{text}: {reason}"
+            for text, reason in ((self.labels[k].text(), why) for k, why in self.refused.items())
+        ]
 
     def judge(self, name: str, reason: str) -> None:
         """Take note of a field that holds nothing the property can be, or that it does again."""
@@ -271,8 +274,9 @@ class PropertyForm(QtWidgets.QWidget):
         self.changed()
 
     def _settle(self, name: str) -> None:
-        """A field is left, or its text begun anew: what it holds is what the edit begins with."""
-        if name not in self.refused:
+        """A field is left, or its text begun anew: what it holds is what the edit begins with,
+        unless it cannot be, or the checks refuse it."""
+        if name not in self.refused and not self.reasons.get(name):
             self.before.pop(name, None)
 
     def _leave(self, name: str) -> None:

@@ -14,6 +14,7 @@ from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.property_form import PropertyForm
 from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
 from BendTorsionWB.gui.quantity_field import QuantityField
+from BendTorsionWB.gui.row_table import typed
 from BendTorsionWB.gui.split_scene import (
     BROKEN,
     KEPT,
@@ -23,10 +24,10 @@ from BendTorsionWB.gui.split_scene import (
     by_lane,
     rows_of,
 )
+from BendTorsionWB.gui.split_words import beyond, margin_line
 from BendTorsionWB.gui.task_panel import TaskPanel
 
 translate = FreeCAD.Qt.translate
-QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 STEP = 10.0
 """Millimetres a joint moves with an arrow key; ten times with Shift."""
 MOVES = {QtCore.Qt.Key_Left: -STEP, QtCore.Qt.Key_Right: STEP}
@@ -36,15 +37,6 @@ CLEAR = 1.0
 """Least distance of joints while they are dragged, mm."""
 SAME = 0.5
 """mm; edges of plates nearer than this to a joint are that joint."""
-RULE_WORDS = {
-    "shortest_piece": QT_TRANSLATE_NOOP("BendTorsion", "shorter plate beside it"),
-    "longest_piece": QT_TRANSLATE_NOOP("BendTorsion", "longer plate beside it"),
-    "stagger": QT_TRANSLATE_NOOP("BendTorsion", "joint of the next face"),
-    "fold_clearance": QT_TRANSLATE_NOOP("BendTorsion", "nearest fold"),
-    "diaphragm_clearance": QT_TRANSLATE_NOOP("BendTorsion", "nearest diaphragm"),
-    "node_clearance": QT_TRANSLATE_NOOP("BendTorsion", "nearest node"),
-    "piece_end_clearance": QT_TRANSLATE_NOOP("BendTorsion", "nearest end of a piece"),
-}
 
 
 class SplitPanel(TaskPanel):
@@ -87,6 +79,8 @@ class SplitPanel(TaskPanel):
         self.made = None
         self.length = 0.0
         self.focus: tuple[str, int] | None = None
+        self.dragged = self.behind = False
+        self.kept = 0.0
         self.placed: tuple[str, int] | None = None
 
     def show(self) -> None:
@@ -94,10 +88,33 @@ class SplitPanel(TaskPanel):
         super().show()
         self._draw()
 
+    def first_field(self):
+        """The strips have the keyboard, not the rules above them."""
+        return self.view
+
     def show_findings(self) -> None:
         """Draw the strips again with what is found."""
         super().show_findings()
         self._draw()
+
+    def take(self) -> None:
+        """A joint is taken by the mouse: nothing is recomputed until it is let go, as the strips
+        would be drawn anew and the joint lost."""
+        self.dragged, self.behind = True, self.timer.isActive()
+        self.timer.stop()
+
+    def let_go(self) -> None:
+        """The joint stays where it is; what was edited meanwhile is shown."""
+        self.dragged = False
+        if self.behind:
+            self.moved()
+
+    def changed(self) -> None:
+        """Recompute soon, but not while a joint is dragged."""
+        if self.dragged:
+            self.behind = True
+        else:
+            super().changed()
 
     def margins(self, face: str, k: int) -> tuple[Margin, ...]:
         """What the rules say of a joint where it stands now."""
@@ -125,9 +142,7 @@ class SplitPanel(TaskPanel):
         least, most = self._between(face, k)
         self.joints[face][k] = round(min(max(s, least), most), 1)
         self._write(face)
-        for item in self.scene.items():
-            if isinstance(item, JointItem):
-                item.show_at(self.joints[item.face][item.k])
+        self._show_items()
         self.chosen(face, k)
         return self.joints[face][k]
 
@@ -147,11 +162,14 @@ class SplitPanel(TaskPanel):
         self.focus = face, self.joints[face].index(s)
         self._write(face)
 
-    def divide(self, face: str) -> None:
-        """A further joint in the middle of the longest plate of a face."""
-        cuts = self._cuts(face)
-        _, start, end = max((b - a, a, b) for a, b in zip(cuts, cuts[1:], strict=False))
-        self.add_joint(face, 0.5 * (start + end))
+    def divide(self, faces) -> None:
+        """A further joint in the middle of the longest plate of faces."""
+        plates = []
+        for face in faces:
+            cuts = self._cuts(face)
+            plates += [(b - a, face, 0.5 * (a + b)) for a, b in zip(cuts, cuts[1:], strict=False)]
+        _, face, middle = max(plates, key=lambda plate: plate[0])
+        self.add_joint(face, middle)
 
     def remove_joint(self, face: str, k: int) -> None:
         """One joint less."""
@@ -164,25 +182,39 @@ class SplitPanel(TaskPanel):
         item = self.scene.focusItem()
         if isinstance(item, JointItem):
             self.focus = item.face, item.k
-        chosen = self.focus is not None and self.focus[1] < len(self.joints[self.focus[0]])
-        if key in TURNS or not chosen:
+        if not self.rows:
+            # Of plates in error nothing is drawn.
+            return
+        if key == QtCore.Qt.Key_Insert:
+            self.divide(self.rows if self.focus is None else [self.focus[0]])
+            return
+        if key in TURNS or not self._has_joint():
             self.choose_next(TURNS.get(key, 1))
             return
         face, k = self.focus
         if key in MOVES:
             step = MOVES[key] * (10.0 if shift else 1.0)
             self.move_joint(face, k, self.joints[face][k] + step)
-        elif key == QtCore.Qt.Key_Insert:
-            self.divide(face)
         else:
             self.remove_joint(face, k)
 
+    def type_place(self, event) -> None:
+        """A digit begins the place of the joint chosen; other letters write nothing."""
+        if self._has_joint() and event.text().isdigit():
+            self.place.setFocus(QtCore.Qt.OtherFocusReason)
+            key = QtGui.QKeyEvent(event.type(), event.key(), event.modifiers(), event.text())
+            QtWidgets.QApplication.sendEvent(self.place, key)
+
+    def _has_joint(self) -> bool:
+        """Whether a joint is chosen, not a face that has none."""
+        return self.focus is not None and self.focus[1] < len(self.joints[self.focus[0]])
+
     def choose_next(self, step: int) -> None:
-        """Give the next or the former joint the focus, face by face."""
-        order = [(face, k) for face in self.rows for k in range(len(self.joints[face]))]
-        if order:
-            at = order.index(self.focus) + step if self.focus in order else 0
-            self._focus_on(*order[at % len(order)])
+        """Give the next or the former joint the focus, face by face; a face without joints has a
+        turn of its own, for Ins."""
+        order = [(face, k) for face in self.rows for k in range(len(self.joints[face]) or 1)]
+        at = order.index(self.focus) + step if self.focus in order else 0
+        self._focus_on(*order[at % len(order)])
 
     def chosen(self, face: str, k: int) -> None:
         """Show the place of a joint and each rule with its figure and its limit."""
@@ -191,7 +223,7 @@ class SplitPanel(TaskPanel):
         self.which.setText(text.format(face=translate("BendTorsion", face), number=k + 1))
         other, self.placed = self.placed != self.focus, self.focus
         self._show_place(self.joints[face][k], other)
-        self.verdict.setText("<br>".join(map(_margin_line, self.margins(face, k))))
+        self.verdict.setText("<br>".join(map(margin_line, self.margins(face, k))))
 
     def _show_place(self, s: float, other: bool) -> None:
         """Show a place, of another joint than before in place of any text; a text that is none
@@ -199,6 +231,8 @@ class SplitPanel(TaskPanel):
         self.place.setEnabled(True)
         if self.place.hasFocus() or self.place.line.hasFocus():
             return
+        if other:
+            self.kept = s
         if other if self.place.fault() else abs(self.place.property("rawValue") - s) > 0.05:
             self.place.blockSignals(True)
             self.place.setProperty("rawValue", s)
@@ -212,12 +246,15 @@ class SplitPanel(TaskPanel):
         face, k = self.focus
         fault, s = self.place.fault(), float(self.place.property("rawValue"))
         least, most = self._between(face, k)
+        # After a place beyond, the field began with that: it is none to go back to.
+        if least <= self.place.before() <= most:
+            self.kept = self.place.before()
         if not fault and not least <= s <= most:
-            words = translate("BendTorsion", "between its neighbours: {least:.0f} to {most:.0f} mm")
-            fault, s = words.format(least=least, most=most), self.place.before()
+            fault = beyond(s, least, most, self.length)
         if fault or self.place in self.refused:
             self.refuse(self.place, fault)
         # Of a place in error nothing is shown: the joint is where it was before it was typed.
+        s = self.kept if fault else s
         if abs(s - self.joints[face][k]) > 0.05 and least <= s <= most:
             self.move_joint(face, k, s)
 
@@ -230,6 +267,9 @@ class SplitPanel(TaskPanel):
         return sorted([0.0, *self.joints[face], *self.forced[face], self.length])
 
     def _draw(self) -> None:
+        if self.dragged:
+            self.behind = True
+            return
         from BendTorsionWB.core import detailing
         from BendTorsionWB.core.sections.section import strips_meet
         from BendTorsionWB.objects import plate_set
@@ -324,12 +364,25 @@ class SplitPanel(TaskPanel):
         for item in own[:1]:
             self.scene.setFocusItem(item)
             self.chosen(face, k)
-        for item in own:
-            item.show_at(self.joints[face][k])
+        if not own:
+            self.scene.setFocusItem(None)
+            self.focus = None if self.joints[face] else (face, k)
+            self._summary()
+        self._show_items()
+
+    def _show_items(self) -> None:
+        """Draw joints where they are now, and what is chosen."""
+        for item in self.scene.items():
+            if isinstance(item, PlateItem):
+                item.show_chosen()
+            # One that was just removed is drawn until all is drawn anew.
+            elif isinstance(item, JointItem) and item.k < len(self.joints[item.face]):
+                item.show_at(self.joints[item.face][item.k])
 
     def _summary(self) -> None:
-        """How many joints keep the rules, while none is chosen."""
-        self.which.setText("")
+        """How many joints keep the rules, while none is chosen, but perhaps a face without any."""
+        words, face = translate("BendTorsion", "{face}: no joint, Ins adds one"), self.focus
+        self.which.setText(words.format(face=translate("BendTorsion", face[0])) if face else "")
         self.place.setEnabled(False)
         every = [(face, k) for face in self.rows for k in range(len(self.joints[face]))]
         broken = sum(not self.keeps_rules(*item) for item in every)
@@ -353,11 +406,12 @@ class _View(QtWidgets.QGraphicsView):
         self.fitInView(self.scene().sceneRect(), QtCore.Qt.KeepAspectRatio)
 
     def event(self, event):
-        """Keep the keys of the editor from FreeCAD's shortcuts: Del would delete the plates."""
+        """Keep its keys and all letters from FreeCAD's shortcuts: Del would delete the plates, a
+        space hide them, and a figure turn the view."""
         if not isinstance(event, QtCore.QEvent):
             # PySide knows events by their address, and gives what lived there before.
             return False
-        if event.type() == QtCore.QEvent.ShortcutOverride and event.key() in KEYS:
+        if event.type() == QtCore.QEvent.ShortcutOverride and (event.key() in KEYS or typed(event)):
             event.accept()
             return True
         return super().event(event)
@@ -366,6 +420,9 @@ class _View(QtWidgets.QGraphicsView):
         """Keys of the editor go no further than here."""
         if event.key() in KEYS:
             self.panel.press(event.key(), bool(event.modifiers() & QtCore.Qt.ShiftModifier))
+            event.accept()
+        elif typed(event):
+            self.panel.type_place(event)
             event.accept()
         else:
             super().keyPressEvent(event)
@@ -382,17 +439,3 @@ def _in_pixels(text, part: float) -> None:
     text.setFlag(QtWidgets.QGraphicsItem.ItemIgnoresTransformations)
     size = text.boundingRect()
     text.setTransform(QtGui.QTransform.fromTranslate(-part * size.width(), -0.5 * size.height()))
-
-
-def _margin_line(margin: Margin) -> str:
-    """A rule as a line, red or green, with its figure and its limit."""
-    colour = KEPT if margin.kept else BROKEN
-    words = translate("BendTorsion", RULE_WORDS[margin.rule])
-    about = f" ({translate('BendTorsion', margin.about)})" if margin.about else ""
-    limit = (
-        translate("BendTorsion", "at most {limit:.0f}")
-        if margin.rule == "longest_piece"
-        else translate("BendTorsion", "at least {limit:.0f}")
-    ).format(limit=margin.limit)
-    dot = f'<span style="color:{colour}">&#9679;</span>'
-    return f'{dot} {words}{about}: <b style="color:{colour}">{margin.figure:.0f} mm</b>, {limit}'

@@ -78,8 +78,14 @@ class PlateItem(QtWidgets.QGraphicsPolygonItem):
     def __init__(self, panel, face: str, row: Row, k: int, start: float, end: float):
         super().__init__(row.plate(start, end))
         self.panel, self.face, self.row = panel, face, row
-        self.setPen(QtGui.QPen(QtGui.QColor("#7a5c14"), 1.0))
         self.setBrush(QtGui.QColor(PLATES[k % 2]))
+        self.show_chosen()
+
+    def show_chosen(self) -> None:
+        """Draw it as one of the face chosen, or of another."""
+        panel = self.panel
+        chosen = panel.focus is not None and panel.focus[0] == self.face
+        self.setPen(QtGui.QPen(QtGui.QColor("#7a5c14"), 2.5 if chosen else 1.0))
 
     def mouseDoubleClickEvent(self, event):
         """Add a joint here."""
@@ -121,11 +127,17 @@ class JointItem(QtWidgets.QGraphicsLineItem):
 
     def mousePressEvent(self, event):
         """Take it."""
+        self.panel.take()
         self.setFocus()
 
     def mouseMoveEvent(self, event):
         """Drag it."""
         self.panel.move_joint(self.face, self.k, self.row.place(event.scenePos()))
+
+    def mouseReleaseEvent(self, event):
+        """Let it go."""
+        if event.buttons() == QtCore.Qt.NoButton:
+            self.panel.let_go()
 
     def focusInEvent(self, event):
         """Tell what the rules say of it."""

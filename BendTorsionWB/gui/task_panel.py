@@ -98,9 +98,13 @@ class TaskPanel:
         now = QtWidgets.QApplication.focusWidget()
         if self.closed or (now is not None and self.form.isAncestorOf(now)):
             return
-        first = next((f for form in self.forms for f in form.fields.values()), None)
+        first = self.first_field()
         if first is not None:
             first.setFocus()
+
+    def first_field(self):
+        """What has the keyboard when it opens, or None."""
+        return next((f for form in self.forms for f in form.fields.values()), None)
 
     def _make_room(self) -> None:
         """Widen the side of the window when the fields do not fit."""

@@ -40,7 +40,7 @@ def add_cut(
                 unit="mm",
             )
         )
-    before = [_cut_length(member, k, axis) for k in range(2, member.Segments + 1)]
+    before = [cut_length(member, k, axis) for k in range(2, member.Segments + 1)]
     new = 2 + sum(cut < s for cut in before)
     member.Segments += 1
     for k in range(member.Segments, new, -1):
@@ -61,7 +61,7 @@ def middle_of(member, number: int) -> float:
     """The middle of a segment between its cut and the next, mm along the axis. Raises
     BendTorsionError for a member whose axis or cuts cannot be."""
     axis = axis_object.value(linked(member, "Axis", "Axis"))
-    cuts = [_cut_length(member, k, axis) for k in range(2, member.Segments + 1)]
+    cuts = [cut_length(member, k, axis) for k in range(2, member.Segments + 1)]
     ends = [0.0, *cuts, axis.length]
     return round(0.5 * (ends[number - 1] + ends[number]), 1)
 
@@ -89,7 +89,9 @@ def remove_segment(member, number: int) -> None:
     member.Segments -= 1
 
 
-def _cut_length(member, k: int, axis) -> float:
+def cut_length(member, k: int, axis) -> float:
+    """Arc length of the cut before segment k on an axis, mm; raises BendTorsionError for a cut that
+    has no place."""
     cut, is_ratio = cut_of(member, k, axis)
     return cut * axis.length if is_ratio else cut
 

@@ -2263,10 +2263,6 @@
         <translation>成形前</translation>
     </message>
     <message>
-        <source>between its neighbours: {least:.0f} to {most:.0f} mm</source>
-        <translation>应在相邻拼接缝之间：{least:.0f} 至 {most:.0f} mm</translation>
-    </message>
-    <message>
         <source>bevels of the edges, as text</source>
         <translation>边缘坡口，文字</translation>
     </message>
@@ -3115,6 +3111,10 @@
         <translation>{face}：拼接缝 {number} 位于</translation>
     </message>
     <message>
+        <source>{face}: no joint, Ins adds one</source>
+        <translation>{face}：无拼接缝，按 Ins 添加</translation>
+    </message>
+    <message>
         <source>{file}: {names}; read them before you send them</source>
         <translation>{file}：{names}；发送前请先查看</translation>
     </message>
@@ -3137,6 +3137,14 @@
     <message>
         <source>{one} and {other} have their node already: {nodes}</source>
         <translation>{one} 与 {other} 已有节点：{nodes}</translation>
+    </message>
+    <message>
+        <source>{place:.0f} mm is beyond the member of {length:.0f} mm; between its neighbours: {least:.0f} to {most:.0f} mm</source>
+        <translation>{place:.0f} mm 超出长 {length:.0f} mm 的构件；应在相邻拼接缝之间：{least:.0f} 至 {most:.0f} mm</translation>
+    </message>
+    <message>
+        <source>{place:.0f} mm is not between its neighbours: {least:.0f} to {most:.0f} mm</source>
+        <translation>{place:.0f} mm 不在相邻拼接缝之间：{least:.0f} 至 {most:.0f} mm</translation>
     </message>
     <message>
         <source>{position} of the section on the axis; arrow keys move it</source>
