@@ -179,6 +179,8 @@ def test_diaphragms_are_pasted_as_rows(window):
     assert seen["diaphragms"] == [["3000", "7000"], [0.0, 2.0], "ok"]
     assert seen["bad_row"][0] == ["3000", "7000"] and "place cannot be read" in seen["bad_row"][1]
     assert seen["bad_row"][2] is False and seen["mended"] is True
+    places, reason, ok = seen["half_row"]
+    assert places == ["3000", "7000"] and "a number is missing" in reason and not ok
     assert seen["undo"][0] == "Diaphragms and end plates"
 
 

@@ -18,7 +18,7 @@ from .plates.hole_shape import hole_shape, placed_hole
 from .plates.openings import Opening
 from .sections.section import Material
 from .welds.edge_rows import EdgeTreatment
-from .welds.preps import PLACES, prep_of
+from .welds.preps import PLACES, own_findings, prep_of
 
 PART_COLUMNS = {
     "Diaphragms": ("s", "t", "gap", "snipe", "manhole", "closing_face", "material"),
@@ -115,7 +115,9 @@ def piece_of(row: Mapping[str, object]) -> PieceInput:
 
 def edge_of(row: Mapping[str, object]) -> EdgeTreatment:
     """The weld of a row: seam (`TL`, `T1/T2`, `joints`), from and to (mm or %, empty: the ends),
-    prep as `preps.prep_of` reads it, place and ndt, empty for the rules'."""
+    prep as `preps.prep_of` reads it, place and ndt, empty for the rules'.
+
+    Raises BendTorsionError for words that mean nothing and grooves that cannot be."""
     ends = [
         (end, False) if row.get(column) in (None, "") else place_of(row[column])
         for column, end in (("from", 0.0), ("to", np.inf))
@@ -123,11 +125,14 @@ def edge_of(row: Mapping[str, object]) -> EdgeTreatment:
     place = str(row.get("place") or "")
     if place not in ("", *PLACES):
         raise _bad("weld-place", "the place cannot be read", place, "write shop or field")
+    prep = prep_of(row["prep"]) if row.get("prep") else None
+    if prep is not None and (found := own_findings(prep, prep.name)):
+        raise BendTorsionError(found)
     return EdgeTreatment(
         str(row["seam"]),
         ends[0][0],
         ends[1][0],
-        prep_of(row["prep"]) if row.get("prep") else None,
+        prep,
         place,
         str(row.get("ndt") or ""),
         ends[0][1],

@@ -104,9 +104,11 @@ def reason(finding: Finding) -> str:
 
 
 def short_line(finding: Finding) -> str:
-    """Object, message, value against limit and mend, as HTML."""
+    """Object, place, message, value against limit and mend, as HTML; properties are marked."""
     own = _told(finding)
-    text = html.escape(f"{own.object}: {own.message}", quote=False)
+    position = "" if finding.position.startswith("property ") else own.position
+    place = ("，" if is_chinese() else ", ").join(part for part in (own.object, position) if part)
+    text = html.escape(f"{place}: {own.message}", quote=False)
     if isinstance(own.value, float) and isinstance(own.limit, float):
         text += f" ({own.value:.5g} / {own.limit:.5g} {own.unit})"
     return f"{text} &rarr; {html.escape(own.mend, quote=False)}" if own.mend else text

@@ -181,11 +181,12 @@ class PartsPanel(TaskPanel):
         return faces_of(self.plates) if self.columns[column] == "face" else []
 
     def _cell(self, column: str, text: str) -> float | str:
-        """What a cell means: a number, a place as text, or words; raises ValueError."""
+        """What a cell means: a number, a place as text, or words, empty for nothing; raises
+        ValueError."""
         from BendTorsionWB.objects import plate_parts
 
         if column in plate_parts.number_columns(self.table):
-            return number_of(text, UNITS.get(column, "mm")) if text else 0.0
+            return number_of(text, UNITS.get(column, "mm")) if text else ""
         if column == "face":
             return matching(text, faces_of(self.plates)) or text
         if column not in PLACES or not text:

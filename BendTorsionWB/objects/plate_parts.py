@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.core.part_tables import PART_COLUMNS, READERS
@@ -238,13 +239,7 @@ def _read_rows(label: str, table: str, columns: Mapping[str, Sequence], count: i
             rows.append(READERS[table](row))
         except BendTorsionError as problem:
             raise BendTorsionError(
-                error(
-                    f.code,
-                    label,
-                    f"{table}, row {k + 1}: {f.message}",
-                    f.mend,
-                    value=f.value,
-                )
+                replace(f, object=label, message=f"{table}, row {k + 1}: {f.message}")
                 for f in problem.findings
             ) from problem
         except ValueError as problem:

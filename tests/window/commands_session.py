@@ -284,6 +284,9 @@ def plate_panels():
     rows.write({(2, 0): "nowhere", (2, 1): "12"})
     steps.settle()
     result["bad_row"] = [list(plates.DiaphragmPlaces), rows.item(2, 0).toolTip(), ok_enabled()]
+    rows.write({(2, 0): "4500", (2, 1): ""})
+    steps.settle()
+    result["half_row"] = [list(plates.DiaphragmPlaces), rows.item(2, 1).toolTip(), ok_enabled()]
     steps.picture("diaphragms")
     rows.write({(2, 0): "", (2, 1): ""})
     steps.settle()
