@@ -53,6 +53,14 @@ def test_keys_right_after_a_joint_was_removed(window):
     assert step(window, "dragged")["removed"] == [3010.0]
 
 
+def test_a_change_of_thickness_is_no_joint_to_be_moved(window):
+    """It is shown with the reason, also on a face `auto`; Ins divides the longest plate beside."""
+    seen = step(window, "forced")
+    assert seen["plates"] == 2 and seen["drawn"] == []
+    assert sorted(tip.split(":")[0] for tip in seen["fixed"]) == 2 * ["4800 mm"] + 2 * ["5000 mm"]
+    assert seen["added"] == [[8500.0], 3] and seen["auto"] == ["top"]
+
+
 @pytest.mark.parametrize("text", ["abc", ""])
 def test_of_a_cut_that_is_none_nothing_is_shown(window, text):
     """Nor of what was typed before it and could not be."""

@@ -17,11 +17,13 @@ from BendTorsionWB.gui.quantity_field import QuantityField
 from BendTorsionWB.gui.row_table import typed
 from BendTorsionWB.gui.split_scene import (
     BROKEN,
+    FIXED,
     KEPT,
     LEFT,
     JointItem,
     PlateItem,
     by_lane,
+    in_pixels,
     rows_of,
 )
 from BendTorsionWB.gui.split_words import beyond, margin_line
@@ -325,7 +327,7 @@ class SplitPanel(TaskPanel):
         name.setBrush(ink)
         start = row.line(float(row.strip.s[0])).center()
         name.setPos(-LEFT, start.y())
-        _in_pixels(name, 0.0)
+        in_pixels(name, 0.0)
         for k, plate in enumerate(sorted(plates, key=lambda plate: plate.s_start)):
             item = PlateItem(self, face, row, k, plate.s_start, plate.s_end)
             long = plate.s_end - plate.s_start
@@ -336,7 +338,7 @@ class SplitPanel(TaskPanel):
             text.setAcceptedMouseButtons(QtCore.Qt.NoButton)
             at = row.line(0.5 * (plate.s_start + plate.s_end)).center()
             text.setPos(at)
-            _in_pixels(text, 0.5)
+            in_pixels(text, 0.5)
             text.setZValue(1.0)
         kept_clear = self.made.given.keep_outs(self.length)
         for places, colour in (
@@ -346,14 +348,26 @@ class SplitPanel(TaskPanel):
             pen = QtGui.QPen(QtGui.QColor(colour), 1.5, QtCore.Qt.DashLine)
             for s in places:
                 self.scene.addLine(row.line(s), pen).setZValue(1.0)
+        pen = QtGui.QPen(QtGui.QColor(FIXED), 3.0)
+        for s in self.forced[face]:
+            line = self.scene.addLine(row.line(s), pen)
+            line.setZValue(1.5)
+            words = translate(
+                "BendTorsion", "{place:.0f} mm: asked for by sections or pieces, stays where it is"
+            )
+            line.setToolTip(words.format(place=s))
         for k, s in enumerate(self.joints[face]):
             self.scene.addItem(JointItem(self, face, k, s, row))
 
     def _joints_of(self, face: str, plates) -> list[float]:
-        """The joints of a face in mm: those given, or those solved."""
+        """The joints of a face in mm: those given, or those solved without those that sections and
+        pieces ask for, which stay where they are."""
         given = list(getattr(self.plates, f"Joints{face.capitalize()}"))
         if face in self.plates.AutoJoints:
-            return sorted({round(plate.s_start, 1) for plate in plates})[1:]
+            law = self.made.geometry.member.law
+            index = [strip.face for strip in law.strips].index(face)
+            solved = sorted({round(plate.s_start, 1) for plate in plates})[1:]
+            return [s for s in solved if all(abs(s - o) > SAME for o in law.joints_of(index))]
         if given and max(given) <= 1.0:
             given = [value * self.length for value in given]
         return [round(s, 1) for s in given if s < self.length - CLEAR]
@@ -431,11 +445,3 @@ class _View(QtWidgets.QGraphicsView):
         """Fit it again."""
         super().resizeEvent(event)
         self.show_all()
-
-
-def _in_pixels(text, part: float) -> None:
-    """Keep a text as large as others of the window, however small the drawing is; its middle, or
-    the part of its width that is given, stands at its place."""
-    text.setFlag(QtWidgets.QGraphicsItem.ItemIgnoresTransformations)
-    size = text.boundingRect()
-    text.setTransform(QtGui.QTransform.fromTranslate(-part * size.width(), -0.5 * size.height()))

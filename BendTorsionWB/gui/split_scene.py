@@ -9,7 +9,7 @@ from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
 
 WIDTH, GAP, LANE_GAP, LEFT, LEAST_HEIGHT = 700.0, 26.0, 6.0, 100.0, 26.0
 PLATES = ("#e8b84a", "#f3d58c")
-KEPT, BROKEN = "#43a047", "#e53935"
+KEPT, BROKEN, FIXED = "#43a047", "#e53935", "#455a64"
 
 
 class Row:
@@ -70,6 +70,14 @@ def rows_of(strips) -> tuple[dict[tuple[str, str], Row], float]:
         top += (high[1] - low[1]) * across
         above = face
     return rows, across / along
+
+
+def in_pixels(text, part: float) -> None:
+    """Keep a text as large as others of the window, however small the drawing is; its middle, or
+    the part of its width that is given, stands at its place."""
+    text.setFlag(QtWidgets.QGraphicsItem.ItemIgnoresTransformations)
+    size = text.boundingRect()
+    text.setTransform(QtGui.QTransform.fromTranslate(-part * size.width(), -0.5 * size.height()))
 
 
 class PlateItem(QtWidgets.QGraphicsPolygonItem):

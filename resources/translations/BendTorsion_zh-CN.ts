@@ -3147,6 +3147,10 @@
         <translation>{place:.0f} mm 不在相邻拼接缝之间：{least:.0f} 至 {most:.0f} mm</translation>
     </message>
     <message>
+        <source>{place:.0f} mm: asked for by sections or pieces, stays where it is</source>
+        <translation>{place:.0f} mm：由截面或运输单元要求，位置不变</translation>
+    </message>
+    <message>
         <source>{position} of the section on the axis; arrow keys move it</source>
         <translation>截面的{position}位于轴线上；用方向键移动</translation>
     </message>

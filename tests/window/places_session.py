@@ -95,6 +95,35 @@ def dragged():
     return seen
 
 
+def forced():
+    """The joints of a face `auto` with a change of thickness, one added, all shown."""
+    from BendTorsionWB import make
+
+    document = FreeCAD.newDocument("Forced")
+    ground = make.make_surface(document, "Ground", "plane")
+    axis = make.make_axis(document, "A", ground, ((0, 0, 0), (12000, 0, 0)))
+    used = [make.make_section(document, f"B{t}", h=600, b=600, t=t) for t in (16, 20)]
+    member = make.make_member(document, "M1", axis, used, [{}, {"cut": 5000}])
+    plates = make.make_plates(document, member, {"top": "auto"})
+    document.recompute()
+    select(plates)
+    run("Splits")
+    view = _strips()
+    tips = [item.toolTip() for item in view.scene().items()]
+    seen = {"fixed": [tip for tip in tips if "stays where it is" in tip]}
+    seen["plates"] = sum("-T" in mark for mark in plates.Marks)
+    seen["drawn"] = [item.face for item in _drawn(view)]
+    keys.active(window())
+    view.setFocus()
+    keys.strike("Down", "Insert", pause=8)
+    seen["added"] = [list(plates.JointsTop), sum("-T" in mark for mark in plates.Marks)]
+    steps.picture("forced")
+    press("Cancel")
+    seen["auto"] = list(plates.AutoJoints)
+    FreeCAD.closeDocument("Forced")
+    return seen
+
+
 def cuts():
     """A cut beyond the axis, then no cut at all; by an expression; a slope that cannot be."""
     document = member_document("Cuts")
@@ -158,4 +187,4 @@ def _mouse(view, kind, at, button, held):
     QtGui.QApplication.processEvents()
 
 
-steps.run(first_joints, letters, dragged, cuts)
+steps.run(first_joints, letters, dragged, forced, cuts)
