@@ -5,13 +5,14 @@ import os
 import sys
 
 import FreeCADGui
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import keys
 import steps
 from commands_aids import ok_enabled
-from hands import answered, field, named, press, run, select, window
+from hands import field, named, press, select, window
+from keys import strike
 from macro_base import base
 
 
@@ -20,11 +21,14 @@ def first_panel():
     where FreeCAD makes those of the panel."""
     document = base("First")
     select((document.Ball, "Face1"), document.Arc1)
-    answered(lambda dialog: dialog.accept())
-    run("MembersFromSelection")
+    keys.active(window())
+    QtCore.QTimer.singleShot(2500, lambda: strike("Return"))
+    strike("b", "f", pause=4)
+    steps.until(lambda: document.getObjectsByLabel("M1"))
+    steps.settle(10)
     keys.active(window())
     select(named("M1"))
-    run("Pieces")
+    strike("b", "i", pause=6)
     rows = field("rows", QtGui.QTableWidget)
     seen = {"keyboard": rows.hasFocus(), "good": ok_enabled()}
     rows.write({(0, 0): "1", (0, 1): "0", (0, 2): "-5"})
