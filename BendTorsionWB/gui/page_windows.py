@@ -7,6 +7,7 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui
 
+from BendTorsionWB.gui import ask
 from BendTorsionWB.gui.qt import QtCore, QtWidgets
 from BendTorsionWB.gui.recomputing import AGAIN
 
@@ -57,11 +58,13 @@ class PageWindows:
 
 
 def open_whole(page) -> None:
-    """Open the window of a drawing page in front and show all of the page."""
+    """Open the window of a drawing page in front and show all of the page. What the status bar
+    tells stays: TechDraw tells there of its drawing."""
+    told = FreeCADGui.getMainWindow().statusBar().currentMessage()
     page.ViewObject.doubleClicked()
     # The window has its size a moment later.
     at = page.Document.Name, page.Name
-    QtCore.QTimer.singleShot(0, lambda: _fit(*at))
+    QtCore.QTimer.singleShot(0, lambda: _fit(*at, told))
 
 
 def watch() -> None:
@@ -69,7 +72,9 @@ def watch() -> None:
     FreeCAD.addDocumentObserver(PageWindows())
 
 
-def _fit(document: str, page: str) -> None:
+def _fit(document: str, page: str, told: str) -> None:
+    if told:
+        ask.tell(told)
     for view in _views(document) if document in FreeCAD.listDocuments() else ():
         if _page_of(view) == page:
             view.fitAll()
