@@ -39,6 +39,12 @@ def test_an_error_comes_into_view_in_a_panel_that_is_scrolled(window, name):
     assert "abc" in text and told >= line and own >= line
 
 
+def test_an_error_without_room_below_stands_at_its_field(window):
+    hidden, visible, text, told, own = step(window, "error_in_view")["at field"]
+    assert hidden > 250 and told == 0 and own > 10
+    assert visible and "abc" in text
+
+
 def test_rows_that_are_hidden_leave_no_gap(window):
     """Fields follow each other at one distance, whichever kind is chosen."""
     seen = step(window, "hidden_rows")
@@ -49,8 +55,13 @@ def test_rows_that_are_hidden_leave_no_gap(window):
 
 
 def test_a_table_of_parts_shows_all_its_columns(window):
-    for name, (count, hidden) in step(window, "tables_of_parts").items():
-        assert count >= 4 and hidden == 0, name
+    for name, (count, hidden, typed_into) in step(window, "tables_of_parts").items():
+        assert count >= 4 and hidden == 0 and typed_into, name
+
+
+def test_a_wide_panel_leaves_its_place_as_wide_as_it_was(window):
+    before, wide, after = step(window, "width_given_back")
+    assert wide > before + 50 and after == before
 
 
 def test_names_of_faces_can_be_read_in_a_dark_window(window):

@@ -16,11 +16,12 @@ from BendTorsionWB.core.tolerances import NEAREST_STATIONS
 from BendTorsionWB.gui import finding_words, macro
 from BendTorsionWB.gui.joint_words import joints_text, set_joints
 from BendTorsionWB.gui.member_rows import matching
+from BendTorsionWB.gui.panel_room import MARGIN
 from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.property_form import PropertyForm
 from BendTorsionWB.gui.qt import QtWidgets
 from BendTorsionWB.gui.row_table import RowTable
-from BendTorsionWB.gui.task_panel import MARGIN, TaskPanel
+from BendTorsionWB.gui.task_panel import TaskPanel
 from BendTorsionWB.gui.typed_line import TypedLine
 from BendTorsionWB.gui.typed_quantity import number_of
 
@@ -166,9 +167,12 @@ class PartsPanel(TaskPanel):
 
     def show(self) -> None:
         """Open it; typing starts in the first cell."""
-        super().show()
         self.rows.setCurrentCell(0, 0)
-        self.rows.setFocus()
+        super().show()
+
+    def first_field(self):
+        """The table."""
+        return self.rows
 
     def width(self) -> int:
         """All columns are to be seen."""

@@ -15,6 +15,7 @@ from BendTorsionWB.gui import finding_words, resources, standard_buttons
 from BendTorsionWB.gui.closing import Closing
 from BendTorsionWB.gui.findings_box import FindingsBox
 from BendTorsionWB.gui.held_commands import HeldCommands
+from BendTorsionWB.gui.panel_room import GONE, PanelRoom
 from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.property_form import FLAWED, FRAME
 from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
@@ -31,13 +32,9 @@ SECONDS_OF = {"PlateSet": 0.25, "PageSymbol": 0.2}
 """What the plates of a member, and a page, are taken to last before a preview is measured."""
 UNSHOWN = FRAME.format(style="dashed", colour="#b26a00")
 COLOURS = {"error": "#c62828", "warning": "#b26a00", "note": "#5f7d95"}
-GONE = 200
-"""Milliseconds after which FreeCAD has taken a closed panel down."""
 MOST_SHOWN = 50
 LIGHTER = 170
 """Per cent of the lightness on a dark ground."""
-MARGIN = 60
-"""Width of what FreeCAD draws around a task panel."""
 
 
 class TaskPanel:
@@ -62,7 +59,7 @@ class TaskPanel:
         self.closed = False
         self.held: HeldCommands | None = None
         self.escape = None
-        self.width_before = 0
+        self.room = PanelRoom(self.form)
 
     def show(self) -> None:
         """Open it at the side of the window."""
@@ -79,19 +76,14 @@ class TaskPanel:
         FreeCADGui.Control.showDialog(self)
         QtWidgets.QApplication.instance().focusChanged.connect(self._focus_moved)
         self.following = True
-        self._make_room()
+        self.room.widen(self.width())
         self._name_buttons()
         self.judge()
         self._take_keyboard()
-        if self._over_view():
+        if self.room.over_view():
             # The keyboard goes back to the view once the panel has found its place.
             for pause in (0, GONE):
                 QtCore.QTimer.singleShot(pause, self._take_keyboard)
-
-    def _over_view(self) -> bool:
-        """Whether FreeCAD shows it over the view, as 1.1 does, and not in the window's own side."""
-        dock, window = self._dock(), FreeCADGui.getMainWindow()
-        return dock is not None and window.dockWidgetArea(dock) == QtCore.Qt.NoDockWidgetArea
 
     def _take_keyboard(self) -> None:
         """Give the keyboard to the first field, unless one has it."""
@@ -102,29 +94,13 @@ class TaskPanel:
         if first is not None:
             first.setFocus()
 
-    def first_field(self):
-        """What has the keyboard when it opens, or None."""
-        return next((f for form in self.forms for f in form.fields.values()), None)
-
-    def _make_room(self) -> None:
-        """Widen the side of the window when the fields do not fit."""
-        dock = self._dock()
-        wanted = self.width() + MARGIN
-        # Over the view it is by itself as wide as its fields need.
-        if dock is not None and dock.width() < wanted and not self._over_view():
-            self.width_before = dock.width()
-            FreeCADGui.getMainWindow().resizeDocks([dock], [wanted], QtCore.Qt.Horizontal)
-
     def width(self) -> int:
         """Pixels the fields ask for."""
         return self.form.sizeHint().width()
 
-    def _dock(self):
-        """The dock the panel stands in, or None."""
-        dock = self.form.parent()
-        while dock is not None and not isinstance(dock, QtWidgets.QDockWidget):
-            dock = dock.parent()
-        return dock
+    def first_field(self):
+        """The field that is typed into first, or None."""
+        return next((f for form in self.forms for f in form.fields.values()), None)
 
     def watch(self, form) -> None:
         """Count a form among those that allow OK."""
@@ -183,7 +159,7 @@ class TaskPanel:
 
     def _boxes(self) -> list:
         """What holds OK and Cancel."""
-        dock = self._dock()
+        dock = self.room.dock()
         return standard_buttons.boxes_in(dock) if dock is not None else []
 
     def changed(self) -> None:
@@ -350,27 +326,18 @@ class TaskPanel:
             return
         self.stop()
         FreeCAD.removeDocumentObserver(self.observer)
-        name, dock = self.preview.document.Name, self._dock()
+        name = self.preview.document.Name
         finish()
         FreeCADGui.Control.closeDialog()
         FreeCADGui.getDocument(name).resetEdit()
-        if dock is not None and self.width_before:
-            # As wide as the user has it, once the panel is gone.
-            window, width = FreeCADGui.getMainWindow(), self.width_before
-
-            def narrow():
-                if not FreeCADGui.Control.activeDialog():
-                    window.resizeDocks([dock], [width], QtCore.Qt.Horizontal)
-
-            # Again when the fields are gone, which may be wider than that until then.
-            for pause in (0, GONE):
-                QtCore.QTimer.singleShot(pause, narrow)
+        self.room.give_back()
 
     def _gone(self) -> None:
         """Cancel what something else has closed; its fields are gone."""
         self.stop()
         FreeCAD.removeDocumentObserver(self.observer)
         self.preview.cancel()
+        self.room.give_back()
 
     def stop(self) -> None:
         """Let no field edit anything from now on."""

@@ -10,6 +10,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import keys
 import steps
 from commands_aids import panel_text, part_tables, whole_document
 from hands import answered, field, form, named, press, retype, run, select, window
@@ -94,20 +95,17 @@ def many_findings():
 
 
 def error_in_view():
-    """A panel higher than its place: how much is seen of an error and of the field it is made in,
-    one at the top and one further down."""
+    """A panel a little higher than its place: how much is seen of an error and of the field it is
+    made in, one at the top and one further down. A panel much higher: what stands at the field."""
+    # A dialog had it, and no window manager gives it back.
+    keys.active(window())
     edit("M1")
-    area = form()
-    while not isinstance(area, QtGui.QScrollArea):
-        area = area.parentWidget()
-    bar, told = area.verticalScrollBar(), field("findings", QtGui.QLabel)
-    # FreeCAD 1.0 draws lower fields in the dark, and the panel has its place.
-    while bar.maximum() <= 20 and window().height() > 500:
-        window().resize(1280, window().height() - 20)
-        steps.settle(2)
-    seen = {"hidden": bar.maximum()}
+    told, area = field("findings", QtGui.QLabel), panel_area()
+    # FreeCAD 1.0 draws lower fields in the dark, 1.1 leaves less of the window to a panel.
+    hide_of_panel(area, 20, 70)
+    seen = {"hidden": area.verticalScrollBar().maximum()}
     for name in ("OffsetY", "OffsetZ1"):
-        bar.setValue(0)
+        area.verticalScrollBar().setValue(0)
         retype(field(name), "abc")
         steps.settle(6)
         shown = [told.visibleRegion(), field(name).visibleRegion()]
@@ -116,10 +114,36 @@ def error_in_view():
         steps.picture(f"error_{name}")
         retype(field(name), "0 mm")
         steps.settle(6)
+    hide_of_panel(area, 250, 290)
+    area.verticalScrollBar().setValue(0)
+    retype(field("OffsetY"), "abc")
+    steps.settle(6)
+    heights = [w.visibleRegion().boundingRect().height() for w in (told, field("OffsetY"))]
+    tip = QtGui.QToolTip
+    seen["at field"] = [area.verticalScrollBar().maximum(), tip.isVisible(), tip.text(), *heights]
+    steps.picture("error_at_field")
     press("Cancel")
     window().resize(1280, 800)
     steps.settle()
     return seen
+
+
+def panel_area():
+    """What scrolls the panel. PySide6 lets go of its bar with it."""
+    area = form()
+    while not isinstance(area, QtGui.QScrollArea):
+        area = area.parentWidget()
+    return area
+
+
+def hide_of_panel(area, least, most):
+    """Make the window as high as hides so many pixels of the panel, about."""
+    while area.verticalScrollBar().maximum() > most and window().height() < 1160:
+        window().resize(1280, window().height() + 20)
+        steps.settle(2)
+    while area.verticalScrollBar().maximum() <= least and window().height() > 300:
+        window().resize(1280, window().height() - 20)
+        steps.settle(2)
 
 
 def hidden_rows():
@@ -136,11 +160,23 @@ def hidden_rows():
 
 
 def tables_of_parts():
-    """By table: how far it can be scrolled sideways."""
+    """By table: how far it can be scrolled sideways, and whether it has the keyboard."""
     seen = {}
     for name, rows in part_tables():
-        seen[name] = [rows.columnCount(), rows.horizontalScrollBar().maximum()]
+        seen[name] = [rows.columnCount(), rows.horizontalScrollBar().maximum(), rows.hasFocus()]
         steps.picture(f"table_{name}")
+    return seen
+
+
+def width_given_back():
+    """How wide panels are: one with few fields, a table, and the former again."""
+    seen = []
+    for opened in (lambda: edit("Ground"), lambda: run("Pieces"), lambda: edit("Ground")):
+        select(named("M1"))
+        opened()
+        seen.append(form().width())
+        press("Cancel")
+        steps.settle(8)
     return seen
 
 
@@ -326,6 +362,7 @@ steps.run(
     error_in_view,
     hidden_rows,
     tables_of_parts,
+    width_given_back,
     split_names,
     members_in_tree,
     new_plates,
