@@ -32,9 +32,12 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 LANES = ROOT / "build" / "lanes"
+INSTALL = ROOT / "scripts" / "install-debian.sh"
 CHECKOUT = "checkout"
 TESTS_FAILED = 1
 """Exit code of pytest; others tell that it could not run."""
+AGAIN = ["--last-failed", "--last-failed-no-failures", "none"]
+"""What failed, and nothing where pytest could not write down what."""
 QUIET = {"stdin": subprocess.DEVNULL}
 WORKERS = ["-n", str((os.cpu_count() or 1) + 2), "--dist", "loadfile"]
 """As `make test` has them: sessions in FreeCAD's window wait for it to settle."""
@@ -109,11 +112,15 @@ def _tested(run: Callable[[list[str]], int], arguments: list[str]) -> tuple[int,
     if code != TESTS_FAILED or arguments:
         return code, ""
     print("== what failed, again one after another", flush=True)
-    return run(["--last-failed"]), ", some tests only when run again alone"
+    try:
+        return run(AGAIN), ", some tests only when run again alone"
+    except OutOfTime:
+        return code, ", without the time to run again what failed"
 
 
-def compare_carried(suites: Sequence[Suite]) -> list[int]:
-    """Open in each lane what the older ones saved, and compare the figures: exit codes."""
+def compare_carried(suites: Sequence[Suite], until: float) -> list[int]:
+    """Open in each lane what the older ones saved, and compare the figures: exit codes. Raises
+    OutOfTime."""
     codes, older = [], []
     for suite in (item for item in SUITES if item in suites):
         place = _place(suite)
@@ -128,7 +135,7 @@ def compare_carried(suites: Sequence[Suite]) -> list[int]:
                 shutil.copytree(former, target)
             print(f"== {former.name} opened in {suite.name}", flush=True)
             command = "/usr/bin/python3 tests/carried_document.py compare"
-            codes.append(_inside(place, f"{command} build/carried/{former.name}"))
+            codes.append(_inside(place, f"{command} build/carried/{former.name}", until))
         older.append(own)
     return codes
 
@@ -144,7 +151,8 @@ def make_suite(suite: Suite, until: float) -> Place:
     """The place of a lane, with what the checkout asks for. Raises NotHere and OutOfTime."""
     place = _place(suite)
     if place.root == Path("/"):
-        subprocess.run(["sh", "scripts/install-debian.sh"], cwd=ROOT, check=True, **QUIET)
+        if last := _logged(suite.name, ["sh", str(INSTALL)], until):
+            raise NotHere(f"its packages could not be installed: {last}")
     else:
         make_chroot(suite, until)
     return place
@@ -156,44 +164,52 @@ def make_chroot(suite: Suite, until: float) -> None:
         raise NotHere("needs root")
     root = LANES / suite.name
     done = root / ".made"
-    wanted = (ROOT / "scripts" / "install-debian.sh").read_text(encoding="utf-8")
+    wanted = INSTALL.read_text(encoding="utf-8")
     if done.exists() and done.read_text(encoding="utf-8") == wanted:
         return
     if not done.exists():
         _debootstrap(suite, root, until)
     shutil.copy("/etc/resolv.conf", root / "etc" / "resolv.conf")
     _write_apt(root)
-    shutil.copy(ROOT / "scripts" / "install-debian.sh", root / "tmp" / "install-debian.sh")
-    need = "apt-get update -q >/dev/null && sh /tmp/install-debian.sh >/dev/null"
+    shutil.copy(INSTALL, root / "tmp" / "install-debian.sh")
+    need = "apt-get update -q && sh /tmp/install-debian.sh"
     # What the tests call themselves.
-    need += " && apt-get install -y -q --no-install-recommends make git >/dev/null"
-    if _inside(Place(root, root, Path("/")), need, until):
-        raise NotHere("its packages could not be installed")
+    need += " && apt-get install -y -q --no-install-recommends make git"
+    if last := _logged(suite.name, _enter(Place(root, root, Path("/")), need), until):
+        raise NotHere(f"its packages could not be installed: {last}")
     done.write_text(wanted, encoding="utf-8")
 
 
 def _debootstrap(suite: Suite, root: Path, until: float) -> None:
     """The base system of a suite, whole or not at all. Raises NotHere and OutOfTime."""
+    if shutil.which("apt-get") is None:
+        raise NotHere("needs Debian's apt and debootstrap")
     if shutil.which("debootstrap") is None:
-        if shutil.which("apt-get") is None:
-            raise NotHere("needs debootstrap")
         install = "apt-get update -q; apt-get install -y -q --no-install-recommends debootstrap"
-        subprocess.run(["sh", "-c", install], stdout=subprocess.DEVNULL, **QUIET)
-        if shutil.which("debootstrap") is None:
-            raise NotHere("debootstrap could not be installed")
+        if last := _logged(suite.name, ["sh", "-c", install], until):
+            raise NotHere(f"debootstrap could not be installed: {last}")
     mirror = _mirror()
     shutil.rmtree(root, ignore_errors=True)
     root.mkdir(parents=True)
     command = ["debootstrap", "--variant=minbase", "--include=ca-certificates"]
     # A debootstrap older than the suite does not know its name; they are all made alike.
     command += [suite.name, str(root), mirror, str(NEWEST_SCRIPT)]
-    log = LANES / f"{suite.name}.log"
+    if last := _logged(suite.name, command, until):
+        shutil.rmtree(root, ignore_errors=True)
+        raise NotHere(f"debootstrap failed: {last}")
+
+
+def _logged(name: str, command: list[str], until: float) -> str:
+    """Run a command that makes a lane, with what it says in build/lanes/<name>.log; the last line
+    of that when it failed, else nothing. Raises OutOfTime."""
+    log = LANES / f"{name}.log"
+    log.parent.mkdir(parents=True, exist_ok=True)
     with open(log, "w", encoding="utf-8") as stream:
         made = _run(command, until, stdout=stream, stderr=subprocess.STDOUT)
-    if made.returncode:
-        shutil.rmtree(root, ignore_errors=True)
-        last = log.read_text(encoding="utf-8", errors="replace").strip().splitlines()[-1:]
-        raise NotHere(f"debootstrap failed: {' '.join(last)}")
+    if not made.returncode:
+        return ""
+    last = log.read_text(encoding="utf-8", errors="replace").strip().splitlines()[-1:]
+    return last[0] if last else f"exit code {made.returncode}"
 
 
 def _mirror() -> str:
@@ -229,15 +245,17 @@ def copy_checkout(folder: Path) -> None:
         subprocess.run(["git", *command], cwd=folder, check=True, **QUIET)
 
 
-def _inside(place: Place, command: str, until: float = math.inf) -> int:
-    """Exit code of a shell command in the checkout of a lane. Raises OutOfTime.
-
-    The lane's mounts and processes live in namespaces of their own and end with the command, so
-    that nothing stays mounted under build/.
-    """
-    root = place.root
-    if root == Path("/"):
+def _inside(place: Place, command: str, until: float) -> int:
+    """Exit code of a shell command in the checkout of a lane. Raises OutOfTime."""
+    if place.root == Path("/"):
         return _run(["sh", "-c", command], until, cwd=place.folder).returncode
+    return _run(_enter(place, command), until).returncode
+
+
+def _enter(place: Place, command: str) -> list[str]:
+    """What runs a shell command in a chroot. Its mounts and processes live in namespaces of their
+    own and end with the command, so that nothing stays mounted under build/."""
+    root = shlex.quote(str(place.root))
     mounts = (
         f"mount -t proc proc {root}/proc && mount --rbind /dev {root}/dev && "
         f"mount -t tmpfs tmpfs {root}/run && "
@@ -246,7 +264,7 @@ def _inside(place: Place, command: str, until: float = math.inf) -> int:
     within = f"cd {place.inside} && {command}"
     enter = f"exec env -i {_proxies()} {environment} chroot {root} sh -c {shlex.quote(within)}"
     apart = ["unshare", "--mount", "--pid", "--fork", "--kill-child"]
-    return _run([*apart, "sh", "-c", mounts + enter], until).returncode
+    return [*apart, "sh", "-c", mounts + enter]
 
 
 def _run(command: list[str], until: float, **given) -> subprocess.CompletedProcess:
@@ -267,15 +285,14 @@ def make_libraries(lane: Libraries, until: float) -> Path:
     """The Python of a venv with what the lane asks for. Raises NotHere and OutOfTime."""
     python = _python(lane.python)
     folder = LANES / lane.name
-    folder.parent.mkdir(parents=True, exist_ok=True)
     stamp = folder / ".made"
     wanted = " ".join(("scipy", "pytest", "pytest-xdist", *lane.packages))
     if not stamp.exists() or stamp.read_text(encoding="utf-8") != wanted:
         shutil.rmtree(folder, ignore_errors=True)
-        made = subprocess.run([python, "-m", "venv", str(folder)], **QUIET).returncode == 0
         install = [str(folder / "bin" / "pip"), "install", "-q", *shlex.split(wanted)]
-        if not made or _run(install, until).returncode:
-            raise NotHere("its packages could not be installed")
+        for command in ([python, "-m", "venv", str(folder)], install):
+            if last := _logged(lane.name, command, until):
+                raise NotHere(f"its packages could not be installed: {last}")
         stamp.write_text(wanted, encoding="utf-8")
     return folder / "bin" / "python"
 
@@ -284,7 +301,10 @@ def run_libraries(python: Path, arguments: list[str], until: float) -> tuple[int
     """Run the tests that need no FreeCAD with other libraries; 0 when all is well, and what is to
     be told. Raises OutOfTime."""
     environment = os.environ | {"BENDTORSION_WITHOUT_FREECAD": "1"}
-    command = [str(python), "-m", "pytest", "-q"]
+    # What failed in other lanes, or in this checkout's own tests, is not run again here.
+    cache = python.parent.parent / "cache"
+    shutil.rmtree(cache, ignore_errors=True)
+    command = [str(python), "-m", "pytest", "-q", "-o", f"cache_dir={cache}"]
     return _tested(
         lambda given: _run([*command, *given], until, cwd=ROOT, env=environment).returncode,
         arguments,
@@ -341,7 +361,10 @@ def main() -> int:
     codes = [code for code, _ in results]
     if not chosen.make:
         there = [lane for lane, one in zip(lanes, made, strict=True) if not one.exception()]
-        codes += compare_carried([lane for lane in there if isinstance(lane, Suite)])
+        try:
+            codes += compare_carried([lane for lane in there if isinstance(lane, Suite)], until)
+        except OutOfTime:
+            results.append((0, "saved documents: not all opened: the time for all was over"))
     used = os.times()
     processor = (used.children_user + used.children_system) / 60
     total = f"all, made and run: {_minutes_since(start)}, {processor:.1f} min of processor"
