@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import gc
 from collections.abc import Callable
+from contextlib import suppress
 
 import FreeCAD
 
@@ -32,15 +33,21 @@ def _is_alive(box) -> bool:
 
 
 def name(*boxes) -> None:
-    """Name OK and Cancel of QDialogButtonBoxes."""
+    """Name OK and Cancel of QDialogButtonBoxes; of none that is deleted already."""
     for box in boxes:
-        for standard, text in (
-            (QtWidgets.QDialogButtonBox.Ok, translate("BendTorsion", "OK")),
-            (QtWidgets.QDialogButtonBox.Cancel, translate("BendTorsion", "Cancel")),
-        ):
-            button = box.button(standard)
-            if button is not None:
-                button.setText(text)
+        # PySide6 calls methods of a dialog that is gone.
+        with suppress(RuntimeError):
+            _name(box)
+
+
+def _name(box) -> None:
+    for standard, text in (
+        (QtWidgets.QDialogButtonBox.Ok, translate("BendTorsion", "OK")),
+        (QtWidgets.QDialogButtonBox.Cancel, translate("BendTorsion", "Cancel")),
+    ):
+        button = box.button(standard)
+        if button is not None:
+            button.setText(text)
 
 
 def name_again(event, named: Callable[[], None]) -> None:

@@ -109,7 +109,6 @@ def saved_without_window():
         "visible": {item.Label: item.ViewObject.Visibility for item in mine},
         "tree": steps.tree_items(),
         "legend": has_legend(),
-        "colours": {item.BT_Type: colour_of(item.ViewObject) for item in mine},
         "bounds": list(ours("PlateSet")[0].ViewObject.getBoundingBox().Center),
     }
     steps.picture("view_colours")
@@ -140,6 +139,13 @@ def labels():
     view.ShowMarks = view.ShowPoints = False
     result["after"] = texts(plates)
     return result
+
+
+def colours():
+    """By kind, of objects without colours of strain: those are the first face's in FreeCAD 1.0."""
+    mine = [item for item in FreeCAD.ActiveDocument.Objects if hasattr(item, "BT_Type")]
+    plain = [item for item in mine if getattr(item, "ColourBy", "none") == "none"]
+    return {item.BT_Type: colour_of(item.ViewObject) for item in plain}
 
 
 def thinning():
@@ -213,9 +219,10 @@ def fitted():
     view, surface = FreeCADGui.ActiveDocument.ActiveView, by_label("Dome")
     surface.ViewObject.Visibility = True
     view.viewIsometric()
+    steps.still(view)
 
     def taken():
-        steps.settle(2)
+        steps.still(view)
         room, found = view.getSize(), []
         for plates in ours("PlateSet"):
             at = [view.getPointOnScreen(v.Point) for v in plates.Shape.Vertexes]
@@ -339,6 +346,7 @@ def speed():
 steps.run(
     saved_without_window,
     labels,
+    colours,
     thinning,
     frames,
     modes,
