@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import gc
 from collections.abc import Callable
-from contextlib import suppress
 
 import FreeCAD
 
@@ -33,21 +32,16 @@ def _is_alive(box) -> bool:
 
 
 def name(*boxes) -> None:
-    """Name OK and Cancel of QDialogButtonBoxes; of none that is deleted already."""
-    for box in boxes:
-        # PySide6 calls methods of a dialog that is gone.
-        with suppress(RuntimeError):
-            _name(box)
-
-
-def _name(box) -> None:
-    for standard, text in (
-        (QtWidgets.QDialogButtonBox.Ok, translate("BendTorsion", "OK")),
-        (QtWidgets.QDialogButtonBox.Cancel, translate("BendTorsion", "Cancel")),
-    ):
-        button = box.button(standard)
-        if button is not None:
-            button.setText(text)
+    """Name OK and Cancel of QDialogButtonBoxes; of none that is gone: PySide6 calls methods of a
+    dialog that is deleted."""
+    for box in filter(_is_alive, boxes):
+        for standard, text in (
+            (QtWidgets.QDialogButtonBox.Ok, translate("BendTorsion", "OK")),
+            (QtWidgets.QDialogButtonBox.Cancel, translate("BendTorsion", "Cancel")),
+        ):
+            button = box.button(standard)
+            if button is not None:
+                button.setText(text)
 
 
 def name_again(event, named: Callable[[], None]) -> None:

@@ -232,7 +232,7 @@ def fitted():
 
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.SendMsgToActiveView("ViewFit")
-    result = {"everything": taken()}
+    result = {"room": list(view.getSize()), "everything": taken()}
     FreeCADGui.runCommand("BendTorsion_FitMembers")
     result["members"] = taken()
     steps.picture("view_fit")
