@@ -23,10 +23,10 @@ class PanelRoom:
 
     def dock(self) -> QtWidgets.QDockWidget | None:
         """The dock the panel stands in, once it is shown."""
-        dock = self.form.parent()
-        while dock is not None and not isinstance(dock, QtWidgets.QDockWidget):
-            dock = dock.parent()
-        return dock
+        # Asked of the window, which lasts: a parent PySide gives goes when it is used no more, and
+        # with it all it was asked for, such as the buttons of the panel.
+        docks = FreeCADGui.getMainWindow().findChildren(QtWidgets.QDockWidget)
+        return next((dock for dock in docks if dock.isAncestorOf(self.form)), None)
 
     def over_view(self) -> bool:
         """Whether the panel stands over the view."""

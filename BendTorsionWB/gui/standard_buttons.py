@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import gc
 from collections.abc import Callable
 
 import FreeCAD
@@ -11,24 +10,6 @@ import FreeCAD
 from BendTorsionWB.gui.qt import QtCore, QtWidgets
 
 translate = FreeCAD.Qt.translate
-
-
-def boxes_in(widget) -> list:
-    """The QDialogButtonBoxes within a widget. PySide knows widgets by address: until Python has
-    collected the one of a dialog that is gone, it gives that for one Qt made where it was."""
-    found = widget.findChildren(QtWidgets.QDialogButtonBox)
-    if not all(map(_is_alive, found)):
-        gc.collect()
-        found = widget.findChildren(QtWidgets.QDialogButtonBox)
-    return [box for box in found if _is_alive(box)]
-
-
-def _is_alive(box) -> bool:
-    try:
-        box.standardButtons()
-    except RuntimeError:
-        return False
-    return True
 
 
 def name(*boxes) -> None:
@@ -51,3 +32,11 @@ def name_again(event, named: Callable[[], None]) -> None:
     if event.type() == QtCore.QEvent.LanguageChange:
         # Not by a function of its own: the call of a widget's method goes with the widget.
         QtCore.QTimer.singleShot(0, named)
+
+
+def _is_alive(box) -> bool:
+    try:
+        box.standardButtons()
+    except RuntimeError:
+        return False
+    return True

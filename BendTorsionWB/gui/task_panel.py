@@ -160,7 +160,7 @@ class TaskPanel:
     def _boxes(self) -> list:
         """What holds OK and Cancel."""
         dock = self.room.dock()
-        return standard_buttons.boxes_in(dock) if dock is not None else []
+        return dock.findChildren(QtWidgets.QDialogButtonBox) if dock is not None else []
 
     def changed(self) -> None:
         """Recompute soon; edits that follow at once share one recompute. What takes long waits

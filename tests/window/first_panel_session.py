@@ -1,43 +1,53 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs inside FreeCAD's window: the first panel of a session, opened after a dialog."""
+"""Runs inside FreeCAD's window: the first panel of a session, opened after a dialog, with nothing
+looked at before: what Python has been given of the window lives on for it."""
 
+import json
 import os
 import sys
 
+import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-import keys
-import steps
-from commands_aids import ok_enabled
-from hands import field, named, press, select, window
-from keys import strike
 from macro_base import base
 
+STEP = 2000
+"""Milliseconds from one to the next, in FreeCAD's own loop."""
 
-def first_panel():
-    """Members by their dialog, then delivery pieces of one: PySide still has the dialog's buttons
-    where FreeCAD makes those of the panel."""
+
+def start():
+    """Members of a face and an arc, by their dialog."""
+    FreeCADGui.activateWorkbench("BendTorsionWorkbench")
     document = base("First")
-    select((document.Ball, "Face1"), document.Arc1)
-    keys.active(window())
-    QtCore.QTimer.singleShot(2500, lambda: strike("Return"))
-    strike("b", "f", pause=4)
-    steps.until(lambda: document.getObjectsByLabel("M1"))
-    steps.settle(10)
-    keys.active(window())
-    select(named("M1"))
-    strike("b", "i", pause=6)
-    rows = field("rows", QtGui.QTableWidget)
-    seen = {"keyboard": rows.hasFocus(), "good": ok_enabled()}
+    FreeCADGui.Selection.addSelection("First", document.Ball.Name, "Face1")
+    FreeCADGui.Selection.addSelection("First", document.Arc1.Name)
+    QtCore.QTimer.singleShot(STEP, lambda: QtGui.QApplication.activeModalWidget().accept())
+    QtCore.QTimer.singleShot(3 * STEP, pieces)
+    FreeCADGui.runCommand("BendTorsion_MembersFromSelection")
+
+
+def pieces():
+    """The panel of the member's delivery pieces."""
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection("First", FreeCAD.ActiveDocument.getObject("Member").Name)
+    QtCore.QTimer.singleShot(STEP, bad_row)
+    FreeCADGui.runCommand("BendTorsion_Pieces")
+
+
+def bad_row():
+    """A row that cannot be, and what the panel makes of it."""
+    window = FreeCADGui.getMainWindow()
+    rows = next(w for w in window.findChildren(QtGui.QTableWidget, "rows") if w.isVisible())
     rows.write({(0, 0): "1", (0, 1): "0", (0, 2): "-5"})
-    steps.settle()
-    seen["bad"] = ok_enabled()
-    press("Cancel")
-    seen["open"] = bool(FreeCADGui.Control.activeDialog())
-    seen["undo"] = document.UndoNames
-    return seen
+    boxes = [box for box in window.findChildren(QtGui.QDialogButtonBox) if box.isVisible()]
+    button = boxes[0].button(QtGui.QDialogButtonBox.Ok)
+    seen = {"ok": button.isEnabled(), "told": button.toolTip()}
+    report = window.findChild(QtGui.QTextEdit, "Report view").toPlainText()
+    with open(os.environ["BENDTORSION_WINDOW_RESULT"], "w", encoding="utf-8") as file:
+        json.dump({"first_panel": seen, "report_view": report}, file)
+    os._exit(0)
 
 
-steps.run(first_panel)
+QtCore.QTimer.singleShot(0, start)
