@@ -48,6 +48,11 @@ def test_a_joint_is_dragged_on_after_a_pause(window):
     assert seen["shown"] and seen["drawn"][0] == [3000.0, places[-1]] and seen["drawn"][1] == 2
 
 
+def test_esc_puts_back_what_is_dragged_and_nothing_else(window):
+    """The panel stays open, and the mouse drags it no further."""
+    assert step(window, "dragged")["escaped"] == [True, 6000.0, True]
+
+
 def test_keys_right_after_a_joint_was_removed(window):
     """Before the strips are drawn anew: Down chooses the one that is left, Right moves it."""
     assert step(window, "dragged")["removed"] == [3010.0]

@@ -104,11 +104,13 @@ def piece_of(row: Mapping[str, object]) -> PieceInput:
     """The delivery piece of a row: piece, from and to (mm or %, empty: its neighbour's),
     start_end and end_end (`square`, `stepped top=80 …`), green_start, green_end and gap mm."""
     places = [None if row.get(end) in (None, "") else place_of(row[end]) for end in ("from", "to")]
-    try:
-        ends = [end_words(row.get(end)) for end in ("start_end", "end_end")]
-    except ValueError as problem:
-        mend = "write square, or stepped top=80 bottom=-80"
-        raise _bad("piece-end", str(problem), str(row), mend) from None
+    ends = []
+    for end in ("start_end", "end_end"):
+        try:
+            ends.append(end_words(row.get(end)))
+        except ValueError as problem:
+            mend = "write square, or stepped top=80 bottom=-80"
+            raise _bad("piece-end", str(problem), str(row[end]), mend) from None
     greens = (float(row.get(column) or 0.0) for column in ("green_start", "green_end", "gap"))
     return PieceInput(int(float(str(row["piece"]))), *places, *ends, *greens)
 

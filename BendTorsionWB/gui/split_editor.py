@@ -82,6 +82,7 @@ class SplitPanel(TaskPanel):
         self.length = 0.0
         self.focus: tuple[str, int] | None = None
         self.dragged = self.behind = False
+        self.taken = "", 0, 0.0
         self.kept = 0.0
         self.placed: tuple[str, int] | None = None
 
@@ -99,9 +100,10 @@ class SplitPanel(TaskPanel):
         super().show_findings()
         self._draw()
 
-    def take(self) -> None:
+    def take(self, face: str, k: int) -> None:
         """A joint is taken by the mouse: nothing is recomputed until it is let go, as the strips
         would be drawn anew and the joint lost."""
+        self.taken = face, k, self.joints[face][k]
         self.dragged, self.behind = True, self.timer.isActive()
         self.timer.stop()
 
@@ -110,6 +112,15 @@ class SplitPanel(TaskPanel):
         self.dragged = False
         if self.behind:
             self.moved()
+
+    def drop(self) -> None:
+        """Put the joint that is dragged back where it was taken; all else stays."""
+        face, k, s = self.taken
+        self.joints[face][k] = s
+        self._write(face)
+        self._show_items()
+        self.chosen(face, k)
+        self.let_go()
 
     def changed(self) -> None:
         """Recompute soon, but not while a joint is dragged."""
@@ -425,13 +436,23 @@ class _View(QtWidgets.QGraphicsView):
         if not isinstance(event, QtCore.QEvent):
             # PySide knows events by their address, and gives what lived there before.
             return False
-        if event.type() == QtCore.QEvent.ShortcutOverride and (event.key() in KEYS or typed(event)):
+        if event.type() == QtCore.QEvent.ShortcutOverride and (
+            event.key() in KEYS or typed(event) or self._drops(event)
+        ):
             event.accept()
             return True
         return super().event(event)
 
+    def _drops(self, event) -> bool:
+        """Whether a key takes back no more than the drag."""
+        return self.panel.dragged and event.key() == QtCore.Qt.Key_Escape
+
     def keyPressEvent(self, event):
         """Keys of the editor go no further than here."""
+        if self._drops(event):
+            self.panel.drop()
+            event.accept()
+            return
         if event.key() in KEYS:
             self.panel.press(event.key(), bool(event.modifiers() & QtCore.Qt.ShiftModifier))
             event.accept()

@@ -135,12 +135,13 @@ class JointItem(QtWidgets.QGraphicsLineItem):
 
     def mousePressEvent(self, event):
         """Take it."""
-        self.panel.take()
+        self.panel.take(self.face, self.k)
         self.setFocus()
 
     def mouseMoveEvent(self, event):
-        """Drag it."""
-        self.panel.move_joint(self.face, self.k, self.row.place(event.scenePos()))
+        """Drag it, unless Esc has put it back."""
+        if self.panel.dragged:
+            self.panel.move_joint(self.face, self.k, self.row.place(event.scenePos()))
 
     def mouseReleaseEvent(self, event):
         """Let it go."""

@@ -73,7 +73,17 @@ def dragged():
     joint = next(i for i in _drawn(view) if (i.face, i.k) == ("top", 1))
     panel, face, k = joint.panel, joint.face, joint.k
     start = view.mapFromScene(joint.line().center())
-    seen = {"places": [panel.joints[face][k]]}
+    keys.active(window())
+    view.setFocus()
+    _mouse(view, QtCore.QEvent.MouseButtonPress, start, LEFT, LEFT)
+    _mouse(view, QtCore.QEvent.MouseMove, start - QtCore.QPoint(30, 0), NONE, LEFT)
+    seen = {"escaped": [panel.joints[face][k] < 6000.0]}
+    keys.strike("Escape")
+    for kind, button in ((QtCore.QEvent.MouseMove, NONE), (QtCore.QEvent.MouseButtonRelease, LEFT)):
+        _mouse(view, kind, start - QtCore.QPoint(50, 0), button, LEFT if button == NONE else NONE)
+    steps.settle(10)
+    seen["escaped"] += [panel.joints[face][k], bool(FreeCADGui.Control.activeDialog())]
+    seen["places"] = [panel.joints[face][k]]
     _mouse(view, QtCore.QEvent.MouseButtonPress, start, LEFT, LEFT)
     for pixels in (-20, -40, -60):
         at = start + QtCore.QPoint(pixels, 0)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass
 
 from ..finding import BendTorsionError, Finding, error
@@ -59,6 +60,8 @@ class Prep:
 
 
 _SIZES = ("angle", "land", "gap", "leg")
+NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?")
+"""A size of a preparation, mm or degrees."""
 
 
 def prep_of(words: object, name: str = "") -> Prep:
@@ -79,7 +82,7 @@ def prep_of(words: object, name: str = "") -> Prep:
             elif key == "backing" and equals:
                 wide, thick = map(float, value.split("x"))
                 given["backing"] = (wide, thick)
-            elif key in _SIZES and equals:
+            elif key in _SIZES and NUMBER.fullmatch(value):
                 given[key] = math.radians(float(value)) if key == "angle" else float(value)
             else:
                 raise ValueError(f"{part!r} is no size of a preparation")
