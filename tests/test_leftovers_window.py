@@ -43,6 +43,10 @@ def test_what_is_deleted_and_undone_is_computed_and_looks_as_before(window, labe
         assert set(seen[after]) <= {"undo"}, after
 
 
+def test_what_is_made_undone_and_redone_is_folded_where_it_was(window):
+    assert set(step(window, "undone")["made"]["redone"]) <= {"undo"}
+
+
 def test_an_edit_undone_is_computed(window):
     assert set(step(window, "undone")["edit"]["undone"]) <= {"undo"}
 

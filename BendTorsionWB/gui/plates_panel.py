@@ -161,6 +161,13 @@ class PartsPanel(TaskPanel):
                 " the mouse is over them",
             )
         )
+        if table == "Edges" and not any(
+            getattr(user, "BT_Type", "") == "Unfold" for user in self.plates.InList
+        ):
+            judged = translate(
+                "BendTorsion", "Welds are judged once the plates are laid flat (Development)"
+            )
+            hint.setText(f"{hint.text()}. {judged}.")
         hint.setObjectName("hint")
         hint.setWordWrap(True)
         self.body.addWidget(hint)

@@ -16,8 +16,9 @@ LINKED_ABOVE = {"PlateSet": "Member", "Unfold": "Plates", "AssemblyBed": "Plates
 }
 """The property by which an object names the one it is shown below."""
 TRIED: set[str] = set()
-"""Names of objects that are tried out and will be made anew when kept. FreeCAD's tree would take
-the new one, at the same address, for the one it had folded away, and leave it at the top."""
+"""Names of objects that are tried out and will be made anew when kept, or have just come back.
+FreeCAD's tree takes one that comes at the same address for the one it had folded away, and leaves
+it at the top, unless it was told in between that there is none."""
 ORDER = {"": 0, "note": 0, "warning": 1, "error": 2}
 
 PAGE_PARTS = ("PageOutlines", "PageSymbol")
@@ -31,14 +32,10 @@ def children(obj) -> list:
     if kind == "Member" and obj.Axis is not None and _only_user(obj.Axis, obj):
         found.append(obj.Axis)
     if kind in CLAIMED:
-        found += [
-            user
-            for user in obj.InList
-            if getattr(user, "BT_Type", "") in CLAIMED[kind] and user.Name not in TRIED
-        ]
+        found += [user for user in obj.InList if getattr(user, "BT_Type", "") in CLAIMED[kind]]
     if kind in ("SheetSet", "ArrangementSet", "NodeSheets"):
         found += _pages(obj)
-    return found
+    return [item for item in found if item.Name not in TRIED]
 
 
 def parents(obj) -> list:
@@ -56,6 +53,15 @@ def parents(obj) -> list:
         if obj is not None:
             found.append(obj)
     return found
+
+
+def ask_again(obj) -> None:
+    """Have FreeCAD ask an object for what is folded below it: it does when the object changes, and
+    a new child is no change of it."""
+    # An output: written anew, it asks for no recompute, and nothing for saving.
+    obj.setPropertyStatus("Findings", "NoModify")
+    obj.Findings = obj.Findings
+    obj.setPropertyStatus("Findings", "-NoModify")
 
 
 def _is_in_document(obj) -> bool:

@@ -15,14 +15,18 @@ from BendTorsionWB.gui.recomputing import AGAIN, recompute_each, touched_in
 
 translate = FreeCAD.Qt.translate
 
+SEEN = 300
+"""Milliseconds until the tree has drawn what it was told; it waits 100."""
+
 
 class Undone:
-    """Document observer: computes what an undo or a redo brought back, and shows the worst finding
-    again of what an object that went was shown below."""
+    """Document observer: computes what an undo or a redo brought back, folds it where it was, and
+    shows the worst finding again of what an object that went was shown below."""
 
     def __init__(self):
         self.waiting: set[str] = set()
         self.above: set[tuple[str, str]] = set()
+        self.came: set[tuple[str, str]] = set()
 
     def slotUndoDocument(self, document):
         """Called by FreeCAD after an undo."""
@@ -31,6 +35,32 @@ class Undone:
     def slotRedoDocument(self, document):
         """Called by FreeCAD after a redo."""
         self._wait(document.Name)
+
+    def slotCreatedObject(self, obj):
+        """Called by FreeCAD when an object comes: one that has its properties already is brought
+        back, and the tree asks nothing above it for what is folded there."""
+        if hasattr(obj, "BT_Type") or obj.isDerivedFrom("TechDraw::DrawPage"):
+            if not self.came:
+                QtCore.QTimer.singleShot(0, self._fold)
+            self.came.add((obj.Document.Name, obj.Name))
+
+    def _fold(self) -> None:
+        came, self.came = self.came, set()
+        above = set()
+        for where, name in came:
+            document = FreeCAD.listDocuments().get(where)
+            obj = document.getObject(name) if document is not None else None
+            if obj is None:
+                continue
+            around = [obj, *tree.parents(obj)[:1], tree.sheets_of(obj)]
+            above.update((where, item.Name) for item in around if hasattr(item, "Findings"))
+        tree.TRIED.update(name for _, name in came)
+        _ask_again(above)
+        QtCore.QTimer.singleShot(SEEN, lambda: self._show_folded(came, above))
+
+    def _show_folded(self, came, above) -> None:
+        tree.TRIED.difference_update(name for _, name in came)
+        _ask_again(above)
 
     def slotDeletedObject(self, obj):
         """Called by FreeCAD before an object goes, also when its making is taken back."""
@@ -70,6 +100,14 @@ class Undone:
             obj = found.getObject(name) if found is not None else None
             if obj is not None and obj.ViewObject is not None:
                 obj.ViewObject.signalChangeIcon()
+
+
+def _ask_again(above) -> None:
+    for where, name in above:
+        document = FreeCAD.listDocuments().get(where)
+        obj = document.getObject(name) if document is not None else None
+        if obj is not None:
+            tree.ask_again(obj)
 
 
 def watch() -> None:

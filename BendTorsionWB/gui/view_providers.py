@@ -313,15 +313,11 @@ def _follow(document: str, name: str) -> None:
 
 
 def _fold(document: str, name: str) -> None:
-    """Have the tree ask the object above for what is folded below it: FreeCAD does when it
-    changes, and a new child is no change of it."""
+    """Have the tree ask the object above for what is folded below it."""
     found = FreeCAD.listDocuments().get(document)
     obj = found.getObject(name) if found is not None else None
     for item in tree.parents(obj)[:1] if obj is not None else ():
-        # An output: written anew, it asks for no recompute, and nothing for saving.
-        item.setPropertyStatus("Findings", "NoModify")
-        item.Findings = item.Findings
-        item.setPropertyStatus("Findings", "-NoModify")
+        tree.ask_again(item)
 
 
 def paint(obj) -> None:

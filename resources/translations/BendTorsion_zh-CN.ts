@@ -2171,6 +2171,10 @@
         <translation>焊缝</translation>
     </message>
     <message>
+        <source>Welds are judged once the plates are laid flat (Development)</source>
+        <translation>焊缝在板件展开（“展开”命令）后检查</translation>
+    </message>
+    <message>
         <source>Which runs through</source>
         <translation>由谁贯通</translation>
     </message>

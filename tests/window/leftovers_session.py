@@ -30,6 +30,7 @@ def state(document):
         "invalid": sorted(o.Label for o in document.Objects if not o.isValid()),
         "undo": document.UndoNames,
         "icons": icons(),
+        "tree": sorted(steps.tree_items()),
         "shown": sorted(o.Label for o in document.Objects if o.ViewObject.Visibility),
         "findings": {o.Label: o.Findings for o in document.Objects if hasattr(o, "BT_Type")},
     }
@@ -162,6 +163,15 @@ def undone():
     trigger("Std_Undo")
     steps.settle(8)
     seen["edit"] = {"undone": differing(before, state(document))}
+    select(named("M2"))
+    run("AssemblyBed")
+    press("Ok")
+    select()
+    made = state(document)
+    for name in ("Std_Undo", "Std_Redo"):
+        trigger(name)
+        steps.settle(8)
+    seen["made"] = {"redone": differing(made, state(document))}
     FreeCAD.closeDocument("Undone")
     return seen
 
