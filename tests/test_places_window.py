@@ -58,6 +58,15 @@ def test_keys_right_after_a_joint_was_removed(window):
     assert step(window, "dragged")["removed"] == [3010.0]
 
 
+def test_plates_without_a_joint_are_held_against_the_rules(window):
+    """Each face that has none is told with its length and the limit."""
+    joints, *faces = step(window, "without_joints")
+    assert "Joints: 1, against the rules: 0" in joints
+    assert [line.split("> ")[1] for line in faces] == [
+        f"{face}: a plate of 13000 mm, at most 12000" for face in ("bottom", "left", "right")
+    ]
+
+
 def test_a_change_of_thickness_is_no_joint_to_be_moved(window):
     """It is shown with the reason, also on a face `auto`; Ins divides the longest plate beside."""
     seen = step(window, "forced")

@@ -14,7 +14,6 @@ from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.property_form import PropertyForm
 from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
 from BendTorsionWB.gui.quantity_field import QuantityField
-from BendTorsionWB.gui.row_table import typed
 from BendTorsionWB.gui.split_scene import (
     BROKEN,
     FIXED,
@@ -26,15 +25,11 @@ from BendTorsionWB.gui.split_scene import (
     in_pixels,
     rows_of,
 )
-from BendTorsionWB.gui.split_words import beyond, margin_line
+from BendTorsionWB.gui.split_view import MOVES, TURNS, StripView
+from BendTorsionWB.gui.split_words import beyond, margin_line, too_long
 from BendTorsionWB.gui.task_panel import TaskPanel
 
 translate = FreeCAD.Qt.translate
-STEP = 10.0
-"""Millimetres a joint moves with an arrow key; ten times with Shift."""
-MOVES = {QtCore.Qt.Key_Left: -STEP, QtCore.Qt.Key_Right: STEP}
-TURNS = {QtCore.Qt.Key_Up: -1, QtCore.Qt.Key_Down: 1}
-KEYS = (*MOVES, *TURNS, QtCore.Qt.Key_Insert, QtCore.Qt.Key_Delete)
 CLEAR = 1.0
 """Least distance of joints while they are dragged, mm."""
 SAME = 0.5
@@ -51,7 +46,7 @@ class SplitPanel(TaskPanel):
         rows = [("RulePack", translate("BendTorsion", "Rules"))]
         self.add_form(PropertyForm([self.plates], rows, self.changed))
         self.scene = QtWidgets.QGraphicsScene()
-        self.view = _View(self)
+        self.view = StripView(self)
         self.view.setToolTip(
             translate(
                 "BendTorsion",
@@ -413,56 +408,13 @@ class SplitPanel(TaskPanel):
         broken = sum(not self.keeps_rules(*item) for item in every)
         text = translate("BendTorsion", "Joints: {count}, against the rules: {broken}")
         colour = BROKEN if broken else KEPT
-        text = text.format(count=len(every), broken=broken)
-        self.verdict.setText(f'<span style="color:{colour}">&#9679;</span> {text}')
-
-
-class _View(QtWidgets.QGraphicsView):
-    """Shows the whole drawing; keys without a joint chosen choose the first."""
-
-    def __init__(self, panel: SplitPanel):
-        super().__init__(panel.scene)
-        self.panel = panel
-        self.setRenderHint(QtGui.QPainter.Antialiasing)
-        self.setMinimumSize(560, 270)
-
-    def show_all(self) -> None:
-        """Fit the drawing into the view."""
-        self.fitInView(self.scene().sceneRect(), QtCore.Qt.KeepAspectRatio)
-
-    def event(self, event):
-        """Keep its keys and all letters from FreeCAD's shortcuts: Del would delete the plates, a
-        space hide them, and a figure turn the view."""
-        if not isinstance(event, QtCore.QEvent):
-            # PySide knows events by their address, and gives what lived there before.
-            return False
-        if event.type() == QtCore.QEvent.ShortcutOverride and (
-            event.key() in KEYS or typed(event) or self._drops(event)
-        ):
-            event.accept()
-            return True
-        return super().event(event)
-
-    def _drops(self, event) -> bool:
-        """Whether a key takes back no more than the drag."""
-        return self.panel.dragged and event.key() == QtCore.Qt.Key_Escape
-
-    def keyPressEvent(self, event):
-        """Keys of the editor go no further than here."""
-        if self._drops(event):
-            self.panel.drop()
-            event.accept()
-            return
-        if event.key() in KEYS:
-            self.panel.press(event.key(), bool(event.modifiers() & QtCore.Qt.ShiftModifier))
-            event.accept()
-        elif typed(event):
-            self.panel.type_place(event)
-            event.accept()
-        else:
-            super().keyPressEvent(event)
-
-    def resizeEvent(self, event):
-        """Fit it again."""
-        super().resizeEvent(event)
-        self.show_all()
+        lines = [(colour, text.format(count=len(every), broken=broken))]
+        # No joint is there to tell of its plates.
+        rules = self.made.given.rules.within_stock(self.made.geometry.member.law.plate_kinds)
+        for name in (face for face in self.rows if not self.joints[face]):
+            cuts = self._cuts(name)
+            longest = max(b - a for a, b in zip(cuts, cuts[1:]))
+            if longest > rules.longest_piece:
+                lines.append((BROKEN, too_long(name, longest, rules.longest_piece)))
+        dots = (f'<span style="color:{colour}">&#9679;</span> {line}' for colour, line in lines)
+        self.verdict.setText("<br>".join(dots))

@@ -38,6 +38,12 @@ def beyond(s: float, least: float, most: float, length: float) -> str:
     return words.format(place=s, length=length, least=least, most=most)
 
 
+def too_long(face: str, length: float, limit: float) -> str:
+    """That a face without a joint has a plate longer than the rules allow, mm."""
+    words = translate("BendTorsion", "{face}: a plate of {length:.0f} mm, at most {limit:.0f}")
+    return words.format(face=translate("BendTorsion", face), length=length, limit=limit)
+
+
 def margin_line(margin: Margin) -> str:
     """A rule as a line, red or green, with its figure and its limit."""
     colour = KEPT if margin.kept else BROKEN

@@ -3111,6 +3111,10 @@
         <translation>已选择 {count} 个{things}，需要一个</translation>
     </message>
     <message>
+        <source>{face}: a plate of {length:.0f} mm, at most {limit:.0f}</source>
+        <translation>{face}：板件长 {length:.0f} mm，最大 {limit:.0f}</translation>
+    </message>
+    <message>
         <source>{face}: joint {number} at</source>
         <translation>{face}：拼接缝 {number} 位于</translation>
     </message>

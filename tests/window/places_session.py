@@ -105,6 +105,25 @@ def dragged():
     return seen
 
 
+def without_joints():
+    """A member longer than a plate may be, that nobody has divided."""
+    from BendTorsionWB import make
+
+    document = FreeCAD.newDocument("Long")
+    ground = make.make_surface(document, "Ground", "plane")
+    axis = make.make_axis(document, "A", ground, ((0, 0, 0), (13000, 0, 0)))
+    section = make.make_section(document, "B", h=600, b=600, t=16)
+    member = make.make_member(document, "M1", axis, [section])
+    plates = make.make_plates(document, member, {"top": [6000.0]})
+    document.recompute()
+    select(plates)
+    run("Splits")
+    seen = field("verdict", QtGui.QLabel).text().split("<br>")
+    press("Cancel")
+    FreeCAD.closeDocument("Long")
+    return seen
+
+
 def forced():
     """The joints of a face `auto` with a change of thickness, one added, all shown."""
     from BendTorsionWB import make
@@ -197,4 +216,4 @@ def _mouse(view, kind, at, button, held):
     QtGui.QApplication.processEvents()
 
 
-steps.run(first_joints, letters, dragged, forced, cuts)
+steps.run(first_joints, letters, dragged, without_joints, forced, cuts)
