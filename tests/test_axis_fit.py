@@ -319,4 +319,4 @@ def test_an_exact_curve_far_from_its_surface_is_refused_as_points_are():
         assert [f.severity for f in kept.findings if f.code == finding.code] == ["warning"]
     near = Curve(arc.degree, arc.knots, arc.poles + [0, 0, 20], arc.weights)
     [left] = axis_from(AxisInput("A", curve=near), HALL).findings
-    assert left.severity == "warning" and "leaves" in left.message
+    assert left.severity == "warning" and "lies off its surface" in left.message

@@ -219,7 +219,10 @@ def test_stopped_at_any_moment_the_folder_is_whole_and_the_next_run_does_the_res
         finally:
             process.kill()
         if process.returncode == 0:
-            # It was done before.
+            # It was done before: the machine is less busy than when it was timed.
+            seconds *= 0.5
+            shutil.rmtree(out)
+            shutil.copytree(folder / "out", out)
             continue
         stopped += 1
         assert process.returncode == 130, errors
