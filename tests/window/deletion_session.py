@@ -138,6 +138,8 @@ def members_again():
     seen = {"made": made, "undo": document.UndoNames}
     seen["undone"] = again(document, "Undo")
     seen["redone"] = again(document, "Redo") == made
+    # The tree is told in two steps.
+    steps.settle(8)
     seen["tree"] = steps.tree_items()
     again(document, "Undo")
     seen["back"] = again(document, "Redo") == made
