@@ -96,3 +96,10 @@ def test_a_slope_is_refused_in_plain_words(window):
 
 def test_no_exception_in_the_report_view(window):
     assert "Traceback" not in window["report_view"] and "<class" not in window["report_view"]
+
+
+def test_the_list_of_segments_follows_the_section_chosen(window):
+    seen = step(window, "cuts")
+    text, section, segments, number = seen["listed"]
+    assert segments >= number > 1 and section and text != seen["before"]
+    assert text == f"Segment {number}: {section}"

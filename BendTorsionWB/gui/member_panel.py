@@ -92,6 +92,8 @@ class MemberPanel(TaskPanel):
             text = text.format(length=end - start, start=start, end=end)
         self.transition.setText(text)
         self.transition.setVisible(bool(text))
+        for k, words in enumerate(self._segment_words()):
+            self.segments.setItemText(k, words)
         self._show_cut()
         if self.dragger is not None and self.dragger.held is None and not self.closed:
             self.dragger.refresh()
@@ -117,14 +119,20 @@ class MemberPanel(TaskPanel):
     def _list(self, segment: int) -> None:
         self.segments.blockSignals(True)
         self.segments.clear()
-        for k in range(1, self.member.Segments + 1):
-            section = getattr(self.member, f"Section{k}")
-            label = translate("BendTorsion", "Segment {number}: {section}")
-            self.segments.addItem(label.format(number=k, section=section.Label if section else "-"))
+        self.segments.addItems(self._segment_words())
         self.segments.setCurrentIndex(segment - 1)
         self.segments.blockSignals(False)
         self.remove.setEnabled(self.member.Segments > 1)
         self._show_segment()
+
+    def _segment_words(self) -> list[str]:
+        """Each segment with its section."""
+        words = translate("BendTorsion", "Segment {number}: {section}")
+        sections = [getattr(self.member, f"Section{k + 1}") for k in range(self.member.Segments)]
+        return [
+            words.format(number=k, section=section.Label if section else "-")
+            for k, section in enumerate(sections, start=1)
+        ]
 
     def _choose_segment(self) -> None:
         """Show the segment chosen, unless what was typed for that shown is to be mended first."""

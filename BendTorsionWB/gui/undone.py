@@ -39,6 +39,8 @@ class Undone:
     def slotCreatedObject(self, obj):
         """Called by FreeCAD when an object comes: one that has its properties already is brought
         back, and the tree asks nothing above it for what is folded there."""
+        if obj.Document.Restoring:
+            return
         if hasattr(obj, "BT_Type") or obj.isDerivedFrom("TechDraw::DrawPage"):
             if not self.came:
                 QtCore.QTimer.singleShot(0, self._fold)

@@ -105,19 +105,25 @@ def dragged():
     return seen
 
 
-def without_joints():
-    """A member longer than a plate may be, that nobody has divided."""
+def _straight(name, length, thicknesses, segments, joints):
+    """The plates of a straight member, in a document of their own with the editor open."""
     from BendTorsionWB import make
 
-    document = FreeCAD.newDocument("Long")
+    document = FreeCAD.newDocument(name)
     ground = make.make_surface(document, "Ground", "plane")
-    axis = make.make_axis(document, "A", ground, ((0, 0, 0), (13000, 0, 0)))
-    section = make.make_section(document, "B", h=600, b=600, t=16)
-    member = make.make_member(document, "M1", axis, [section])
-    plates = make.make_plates(document, member, {"top": [6000.0]})
+    axis = make.make_axis(document, "A", ground, ((0, 0, 0), (length, 0, 0)))
+    used = [make.make_section(document, f"B{t}", h=600, b=600, t=t) for t in thicknesses]
+    member = make.make_member(document, "M1", axis, used, segments)
+    plates = make.make_plates(document, member, joints)
     document.recompute()
     select(plates)
     run("Splits")
+    return plates
+
+
+def without_joints():
+    """A member longer than a plate may be, that nobody has divided but for one face."""
+    _straight("Long", 13000, (16,), [{}], {"top": [6000.0]})
     seen = field("verdict", QtGui.QLabel).text().split("<br>")
     press("Cancel")
     FreeCAD.closeDocument("Long")
@@ -126,17 +132,7 @@ def without_joints():
 
 def forced():
     """The joints of a face `auto` with a change of thickness, one added, all shown."""
-    from BendTorsionWB import make
-
-    document = FreeCAD.newDocument("Forced")
-    ground = make.make_surface(document, "Ground", "plane")
-    axis = make.make_axis(document, "A", ground, ((0, 0, 0), (12000, 0, 0)))
-    used = [make.make_section(document, f"B{t}", h=600, b=600, t=t) for t in (16, 20)]
-    member = make.make_member(document, "M1", axis, used, [{}, {"cut": 5000}])
-    plates = make.make_plates(document, member, {"top": "auto"})
-    document.recompute()
-    select(plates)
-    run("Splits")
+    plates = _straight("Forced", 12000, (16, 20), [{}, {"cut": 5000}], {"top": "auto"})
     view = _strips()
     tips = [item.toolTip() for item in view.scene().items()]
     seen = {"fixed": [tip for tip in tips if "stays where it is" in tip]}
@@ -180,6 +176,19 @@ def cuts():
     seen["slope"] = panel_text()
     press("Cancel")
     seen["cancelled"] = [member.Cut2.Value, member.Slope2]
+    select(member)
+    run("CutPoint")
+    segments = field("segments", QtGui.QComboBox)
+    k = segments.currentIndex() + 1
+    section = field(f"Section{k}", QtGui.QComboBox)
+    seen["before"] = segments.currentText()
+    # None is the first.
+    section.setCurrentIndex(
+        1 if section.currentIndex() == section.count() - 1 else section.count() - 1
+    )
+    steps.settle(8)
+    seen["listed"] = [segments.currentText(), section.currentText(), member.Segments, k]
+    press("Cancel")
     FreeCAD.closeDocument(document.Name)
     return seen
 
