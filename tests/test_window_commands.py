@@ -256,9 +256,8 @@ def test_a_deleted_source_is_told_in_the_panel(window):
 def test_the_tree_keeps_its_columns_while_a_package_is_written(output):
     """FreeCAD's column of labels is as wide as they are; while the tree folds a document it stays
     so, and no column beside it comes into view. It follows its contents again afterwards."""
-    seen, widths, mode = output["tree"]
-    contents = 3
-    assert seen > 5 and len(widths) == 1 and mode == contents
+    seen, widths, follows = output["tree"]
+    assert seen > 5 and len(widths) == 1 and follows
 
 
 def test_package_is_that_of_the_command_line_and_can_be_stopped(output):

@@ -106,6 +106,9 @@ def _close_without_page(document: str) -> None:
         alone = len(FreeCADGui.getDocument(document).mdiViewsOfType("Gui::MDIView")) == 1
         if not _page_of(view) and not alone:
             main.setActiveWindow(view)
+            for drawing in area.currentSubWindow().findChildren(QtWidgets.QGraphicsView):
+                # FreeCAD 1.0 takes it again when the page comes back, and ends if it went with the window.
+                drawing.setParent(main)
             area.currentSubWindow().close()
     if front is not None and front.isVisible():
         area.setActiveSubWindow(front)

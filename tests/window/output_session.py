@@ -82,6 +82,8 @@ def output():
     result["stopped"] = sorted(os.listdir(stopped)) if os.path.isdir(stopped) else []
     package = os.path.join(FOLDER, "package")
     tree = steps.document_tree()
+    # *Description*: hidden by default from FreeCAD 1.0 on, where labels alone have all the width.
+    tree.header().showSection(1)
     tree.expandAll()
     steps.settle()
     widths = []
@@ -92,7 +94,8 @@ def output():
         result["package_shown"] = run("ExportPackage")
     steps.settle(12)
     watch.stop()
-    result["tree"] = [len(widths), sorted(set(widths)), int(tree.header().sectionResizeMode(0))]
+    follows = tree.header().sectionResizeMode(0) == QtGui.QHeaderView.ResizeToContents
+    result["tree"] = [len(widths), sorted(set(widths)), follows]
     result["seen"] = [sorted(seen), document.Label]
     result["package"] = sorted(os.listdir(package))
     result["plates"] = sorted(os.listdir(os.path.join(package, "plates")))

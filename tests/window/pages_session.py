@@ -6,7 +6,7 @@ import sys
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import steps
@@ -93,16 +93,24 @@ def steps_front():
     return str(FreeCADGui.ActiveDocument.ActiveView)
 
 
+A3 = QtCore.QRectF(0, -2970, 4200, 2970)
+"""The paper in TechDraw's scenes, tenths of a millimetre."""
+
+
 def page_windows():
-    """Title and dark pixels of each drawing page that is open."""
+    """Title and dark pixels of each drawing page that is open, seen with its paper as large as the
+    window; none of one that had not shown all of its paper."""
     found = {}
     for item in window().findChildren(QtGui.QMdiSubWindow):
         pages = [view for view in item.findChildren(QtGui.QGraphicsView) if "QGVPage" in meta(view)]
         if pages and item.isVisible():
+            whole = pages[0].mapToScene(pages[0].viewport().rect()).boundingRect().contains(A3)
+            pages[0].fitInView(A3, QtCore.Qt.KeepAspectRatio)
+            steps.settle()
             shown = pages[0].viewport().grab().toImage()
             dots = range(0, shown.width(), 2), range(0, shown.height(), 2)
             dark = sum(shown.pixelColor(x, y).lightness() < 90 for x in dots[0] for y in dots[1])
-            found[item.windowTitle().removesuffix("[*]")] = dark
+            found[item.windowTitle().removesuffix("[*]")] = dark if whole else 0
     return found
 
 
