@@ -10,7 +10,7 @@ import FreeCADGui
 from BendTorsionWB.core.finding import SEVERITIES, Finding
 from BendTorsionWB.gui import finding_places, finding_words, member_display
 from BendTorsionWB.gui.dock import DocumentDock, shown
-from BendTorsionWB.gui.qt import QtGui, QtWidgets
+from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
 from BendTorsionWB.gui.task_panel import colour_of
 
 translate = FreeCAD.Qt.translate
@@ -18,6 +18,8 @@ NAME = "BendTorsion_FindingsPanel"
 COLUMNS = ("severity", "object", "position", "message", "value", "limit", "mend")
 AROUND = 3000.0
 """Millimetres seen around a place the view goes to."""
+SETTLED = 500
+"""Milliseconds in which what a selection sets going takes the keyboard, if at all."""
 
 
 def show(document) -> FindingsPanel:
@@ -80,11 +82,34 @@ def _shown_for(obj) -> list:
     return member_display.plates_shown(obj)
 
 
+class _Rows(QtWidgets.QTableWidget):
+    """A table whose keys select elsewhere, and that keeps the keyboard meanwhile: a view that comes
+    before a drawing page takes it at once, FreeCAD 1.1 gives it to the view a moment later."""
+
+    def __init__(self, columns: int):
+        super().__init__(0, columns)
+        self.moves = 0
+
+    def keep_keyboard(self) -> None:
+        """Take the keyboard back from whatever but the user takes it in the next moment."""
+        self.moves += 1
+        QtCore.QTimer.singleShot(SETTLED, self._let_go)
+
+    def _let_go(self) -> None:
+        self.moves -= 1
+
+    def focusOutEvent(self, event):
+        """Called by Qt when the keyboard goes elsewhere."""
+        super().focusOutEvent(event)
+        if self.moves and event.reason() == QtCore.Qt.OtherFocusReason:
+            QtCore.QTimer.singleShot(0, self.setFocus)
+
+
 class FindingsPanel(DocumentDock):
     """A row per finding."""
 
     def __init__(self):
-        self.table = QtWidgets.QTableWidget(0, len(COLUMNS))
+        self.table = _Rows(len(COLUMNS))
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
         self.table.verticalHeader().setDefaultSectionSize(22)
@@ -128,11 +153,9 @@ class FindingsPanel(DocumentDock):
         """Go where a key moved to; a mouse that is pressed tells by its click."""
         if self.filling or row == before or QtWidgets.QApplication.mouseButtons():
             return
-        had_keys = self.table.hasFocus()
+        if self.table.hasFocus():
+            self.table.keep_keyboard()
         self.show_row(row)
-        if had_keys and not self.table.hasFocus():
-            # A view that comes before a drawing page takes them.
-            self.table.setFocus()
 
     def show_row(self, row: int) -> None:
         """Select what a finding is about and go to its place."""

@@ -7,6 +7,10 @@ import steps
 from hands import key, named, run, window
 from PySide import QtCore, QtGui
 
+NEWER = tuple(int(part) for part in FreeCAD.Version()[:2]) >= (1, 1)
+CHINESE = "Chinese (Simplified)" if NEWER else "Chinese Simplified"
+"""What FreeCAD calls the language."""
+
 
 def off_place(axis_label, s):
     """How far the middle of the view is from a place on an axis, mm."""
@@ -45,7 +49,7 @@ def in_chinese(rows):
     """Headings of both docks in the other language, and back."""
     table = window().findChild(QtGui.QDockWidget, "BendTorsion_MemberTable").table
     seen = []
-    for language in ("Chinese Simplified", "English"):
+    for language in (CHINESE, "English"):
         FreeCADGui.setLocale(language)
         steps.settle()
         seen += [[one.horizontalHeaderItem(1).text() for one in (rows, table)]]
