@@ -107,7 +107,7 @@ def _close_without_page(document: str) -> None:
         if not _page_of(view) and not alone:
             main.setActiveWindow(view)
             for drawing in area.currentSubWindow().findChildren(QtWidgets.QGraphicsView):
-                # FreeCAD 1.0 takes it again when the page comes back, and ends if it went with the window.
+                # FreeCAD 1.0 takes it again when the page comes back, and ends without it.
                 drawing.setParent(main)
             area.currentSubWindow().close()
     if front is not None and front.isVisible():
