@@ -19,7 +19,9 @@ from BendTorsionWB.core.lofting import DevelopedPlate, MemberRecord
 from BendTorsionWB.core.parallel import done_or
 from BendTorsionWB.core.patterns.numbering import shared_marks
 from BendTorsionWB.exchange import dxf, nc1, report
+from BendTorsionWB.exchange.file_name import same_file
 from BendTorsionWB.exchange.output_folder import OutputFolder
+from BendTorsionWB.exchange.report import PROJECT_SHEETS
 from BendTorsionWB.exchange.result_cache import key_of
 from BendTorsionWB.exchange.template_dxf import template_dxf
 from BendTorsionWB.exchange.whole_file import in_temporary_folder
@@ -110,16 +112,20 @@ def member_files(
 
 
 def _refuse_one_name(files: Sequence[MemberFile]) -> None:
-    """Raises BendTorsionError for files that would overwrite each other."""
+    """Raises BendTorsionError for files that would overwrite each other or those of the project."""
+    of_project = {same_file(name) for name in PROJECT_SHEETS}
     owners: dict[str, str] = {}
     found = []
     for file in files:
-        # Some systems do not tell capital letters.
-        other = owners.setdefault(file.name.lower(), file.member)
-        if other != file.member:
-            both = BETWEEN.join((other, file.member))
+        name = same_file(file.name)
+        if name in of_project:
+            message = f"{file.name} is a file of the whole project"
+            found.append(error("file-name-twice", file.member, message, "rename the member"))
+        elif name in owners:
+            both = BETWEEN.join((owners[name], file.member))
             message = f"both have a file {file.name}"
             found.append(error("file-name-twice", both, message, "rename one of the members"))
+        owners[name] = file.member
     if found:
         raise BendTorsionError(found)
 

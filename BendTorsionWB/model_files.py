@@ -254,9 +254,10 @@ def write_model(
         if all(folder.has(name, built) for name in part.files):
             key = built
         if not removing and all(folder.has(name, key) for name in part.files):
-            for name in part.files:
+            brought = has_kept(folder.out / part.document, schedule.kept)
+            for name in part.files if brought else part.files[1:]:
                 folder.keep(name)
-            if not has_kept(folder.out / part.document, schedule.kept):
+            if not brought:
                 folder.begin(part.document)
                 bring_kept(folder.out / part.document, schedule.kept)
                 folder.wrote(part.document, key, left=left)
@@ -284,12 +285,12 @@ def write_model(
         steps.write(wait=True)
     if wanted.split:
         key = key_of([part.members for part in parts], wanted.split)
-        if folder.has(MODEL, key):
+        if folder.has(MODEL, key) and has_kept(folder.out / MODEL, whole):
             folder.keep(MODEL)
-            if not has_kept(folder.out / MODEL, whole):
-                folder.begin(MODEL)
-                bring_kept(folder.out / MODEL, whole)
-                folder.wrote(MODEL, key)
+        elif folder.has(MODEL, key):
+            folder.begin(MODEL)
+            bring_kept(folder.out / MODEL, whole)
+            folder.wrote(MODEL, key)
         else:
             folder.save_by_hand(MODEL)
             folder.begin(MODEL)

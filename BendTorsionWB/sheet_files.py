@@ -10,15 +10,12 @@ from BendTorsionWB.core.drawings.sheet_layout import member_sheets
 from BendTorsionWB.core.drawings.sheet_node import has_nodes, node_sheets
 from BendTorsionWB.core.drawings.sheet_style import SheetStyle
 from BendTorsionWB.core.lofting import MemberRecord
-from BendTorsionWB.exchange import report
 from BendTorsionWB.exchange.output_folder import OutputFolder
+from BendTorsionWB.exchange.report import ARRANGEMENT, NODES, SHEET_SET, sheet_name
 from BendTorsionWB.exchange.result_cache import key_of
 from BendTorsionWB.member_files import pdf_bytes, record_key
 from BendTorsionWB.sheets.pdf_join import joined_pdf
 from BendTorsionWB.sheets.svg import svg_text
-
-ARRANGEMENT, SET = "sheets/general_arrangement.pdf", "sheets/set.pdf"
-NODES = "sheets/nodes.pdf"
 
 
 def write_sheet_set(
@@ -37,7 +34,7 @@ def write_sheet_set(
         return
     own = [record_key(key, record) for key, record in zip(keys, records, strict=True)]
     key = key_of(own, [record.member for record in healthy], style) if all(own) else ""
-    names = [ARRANGEMENT, *([NODES] if has_nodes(healthy) else []), SET]
+    names = [ARRANGEMENT, *([NODES] if has_nodes(healthy) else []), SHEET_SET]
     if all(folder.has(name, key) for name in names):
         for name in names:
             folder.keep(name)
@@ -47,8 +44,8 @@ def write_sheet_set(
             first.append(pdf_bytes(node_sheets(healthy, style)))
         for name, content in zip(names[:-1], first, strict=True):
             folder.write(name, content, key)
-        parts = [(folder.out / report.sheet_name(record.member)).read_bytes() for record in healthy]
-        folder.write(SET, joined_pdf([*first, *parts]), key)
+        parts = [(folder.out / sheet_name(record.member)).read_bytes() for record in healthy]
+        folder.write(SHEET_SET, joined_pdf([*first, *parts]), key)
     if svg:
         _write_svg(folder, records, healthy, style)
 
@@ -59,7 +56,7 @@ def _write_svg(folder: OutputFolder, records, healthy, style: SheetStyle) -> Non
         (NODES, "", node_sheets(healthy, style)),
     ]
     sets += [
-        (report.sheet_name(record.member), record.member, member_sheets(record, style))
+        (sheet_name(record.member), record.member, member_sheets(record, style))
         for record in healthy
     ]
     for name, member, sheets in sets:

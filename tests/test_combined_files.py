@@ -42,6 +42,18 @@ def written(out, executor):
     return names, folder
 
 
+@pytest.mark.parametrize("again", ["plates/M1.dxf", "plates/m1.dxf", "plates/Me\u0301.dxf"])
+def test_a_build_never_writes_one_name_twice(tmp_path, again):
+    folder = OutputFolder(tmp_path, {})
+    for name in ("plates/M1.dxf", "plates/M\u00e9.dxf"):
+        folder.write(name, b"first", "")
+    for anew in (lambda: folder.write(again, b"second", ""), lambda: folder.begin(again)):
+        with pytest.raises(BendTorsionError) as told:
+            anew()
+        assert told.value.findings[0].code == "file-name-twice"
+    assert (tmp_path / "plates/M1.dxf").read_bytes() == b"first"
+
+
 class Lost(Workers):
     """Workers that are lost with all they are given."""
 

@@ -2,6 +2,7 @@
 """Files of members that workers make: those of one plate together, each with its own outcome."""
 
 import os
+import unicodedata
 from concurrent.futures import Future
 
 import pytest
@@ -45,8 +46,8 @@ def records(plates=3):
     }
 
 
-def files_of(found):
-    return member_files(found, dict.fromkeys(found, ""), PLAIN_STYLE, sheets=False)
+def files_of(found, sheets=False):
+    return member_files(found, dict.fromkeys(found, ""), PLAIN_STYLE, sheets)
 
 
 def test_a_plate_is_fitted_once_for_its_dxf_and_nc1_file(monkeypatch):
@@ -135,3 +136,21 @@ def test_two_members_with_files_of_one_name_are_refused():
     assert {finding.code for finding in told.value.findings} == {"file-name-twice"}
     assert told.value.findings[0].objects == ("M1", "M1-D1")
     assert "plates/M1-D1-D2.dxf" in told.value.findings[0].message
+
+
+@pytest.mark.parametrize("name", ["general_arrangement", "Set", "nodes"])
+def test_a_member_with_the_name_of_sheets_of_the_project_is_refused(name):
+    record = record_of(name, (rectangle(mark=f"{name}-T1"),))
+    with pytest.raises(BendTorsionError) as told:
+        files_of({name: record}, sheets=True)
+    [found] = told.value.findings
+    assert found.code == "file-name-twice" and found.object == name
+    assert f"sheets/{name}.pdf" in found.message
+    assert len(files_of({name: record})) == 2
+
+
+def test_names_that_differ_by_the_code_of_letters_only_are_one_file():
+    names = [unicodedata.normalize(form, "Mé") for form in ("NFC", "NFD")]
+    with pytest.raises(BendTorsionError) as told:
+        files_of({name: record_of(name, (rectangle(mark=f"{name}-T1"),)) for name in names})
+    assert {finding.code for finding in told.value.findings} == {"file-name-twice"}

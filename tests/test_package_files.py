@@ -117,18 +117,21 @@ def test_shelves_hold_rectangles_apart_and_about_square():
     assert shelves(sizes[:1]).tolist() == [[0.0, 0.0]]
 
 
-def test_grades_no_file_system_takes_share_a_name_safely(built):
+def test_grades_that_would_share_a_name_are_files_of_their_own(built):
     from dataclasses import replace
 
     _, _, result = built
-    [record] = [replace(r, plates=r.plates[:2]) for r in result.records[:1]]
-    named = ("S355/J2", "s355:j2")
+    [record] = [replace(r, plates=r.plates[:3]) for r in result.records[:1]]
+    named = ("S355/J2", "S355:J2", "s355:j2")
     plates = tuple(replace(p, material=m) for p, m in zip(record.plates, named, strict=True))
     groups = groups_of([replace(record, plates=plates)])
-    assert len(groups) == 1 and "/J2" not in next(iter(groups))
+    assert {tuple(p.material for p in own) for own in groups.values()} == {(m,) for m in named}
+    assert len({name.casefold() for name in groups}) == 3
+    assert not any("/J2" in name or ":" in name for name in groups)
+    assert groups_of([replace(record, plates=plates[::-1])]).keys() == groups.keys()
     files = [(plate.mark, plate_dxf(plate)) for plate in plates]
     drawing = ezdxf.read(io.StringIO(nest_dxf(files).decode()))
-    assert len(drawing.modelspace()) == 2
+    assert len(drawing.modelspace()) == 3
 
 
 def test_step_names_every_plate_and_reads_back_whole(built):

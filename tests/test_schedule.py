@@ -6,6 +6,7 @@ import dataclasses
 import math
 import pickle
 import re
+import unicodedata
 from pathlib import Path
 
 import openpyxl
@@ -404,6 +405,11 @@ def test_a_member_name_must_be_fit_for_files(read, name):
 def test_members_that_differ_by_capitals_only_would_share_files(read):
     more = {("Members", 5, "member"): "m1", ("Members", 5, "segment"): 1}
     more |= {("Members", 5, "axis"): "A1", ("Members", 5, "section"): "S1"}
+    assert one(read, more).position == "sheet Members, row 5, column member"
+    for row, form in ((2, "NFC"), (5, "NFD")):
+        more[("Members", row, "member")] = unicodedata.normalize(form, "Mé")
+    more |= {("Members", row, "member"): more["Members", 2, "member"] for row in (3, 4)}
+    more |= {("Splits", row, "member"): more["Members", 2, "member"] for row in (2, 3)}
     assert one(read, more).position == "sheet Members, row 5, column member"
 
 

@@ -168,3 +168,11 @@ def rows_of_book(path):
         sheet.title: [list(row) for row in sheet.values]
         for sheet in openpyxl.load_workbook(path).worksheets
     }
+
+
+@pytest.mark.parametrize("name", ["general_arrangement", "Nodes", "set"])
+def test_a_member_with_the_name_of_sheets_of_the_project_would_lose_its_own(read, name):
+    changes = {("Members", row, "member"): name for row in (2, 3, 4)}
+    found = one(read, changes | {("Splits", row, "member"): name for row in (2, 3)})
+    assert found.code == "file-name-twice" and found.value == name
+    assert found.position == "sheet Members, row 2, column member"

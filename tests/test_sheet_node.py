@@ -26,9 +26,9 @@ from BendTorsionWB.core.nodes.node_jobs import jobs_with_nodes
 from BendTorsionWB.core.sections.section import box
 from BendTorsionWB.core.site import SiteDatum
 from BendTorsionWB.exchange.output_folder import OutputFolder, read_manifest
-from BendTorsionWB.exchange.report import sheet_name
+from BendTorsionWB.exchange.report import NODES, SHEET_SET, sheet_name
 from BendTorsionWB.member_files import sheets_pdf
-from BendTorsionWB.sheet_files import NODES, SET, write_sheet_set
+from BendTorsionWB.sheet_files import write_sheet_set
 
 BIG, LOW, SMALL = (
     box("A", "box1", 600, 400, 16),
@@ -342,7 +342,7 @@ def test_a_build_writes_the_nodes_puts_them_in_the_set_and_leaves_them(crossing,
     for record in crossing:
         (tmp_path / sheet_name(record.member)).write_bytes(sheets_pdf((record, style)))
     write_sheet_set(folder, crossing, ["one", "other"], style)
-    for name in (NODES, SET):
+    for name in (NODES, SHEET_SET):
         text = subprocess.run(
             ["pdftotext", "-raw", str(tmp_path / name), "-"],
             capture_output=True,
@@ -361,7 +361,7 @@ def test_a_build_writes_the_nodes_puts_them_in_the_set_and_leaves_them(crossing,
     last = OutputFolder(tmp_path, read_manifest(tmp_path), "Hall")
     write_sheet_set(last, crossing[:1], ["one"], style)
     last.close()
-    assert not (tmp_path / NODES).exists() and (tmp_path / SET).exists()
+    assert not (tmp_path / NODES).exists() and (tmp_path / SHEET_SET).exists()
 
 
 def test_a_line_is_clipped_between_two_planes():

@@ -11,6 +11,7 @@ import numpy as np
 from ..core.lofting import DevelopedPlate, MemberRecord
 from .dxf import LAYERS, layers_of
 from .dxf_file import Frame, Space, dxf_bytes, new_frame, read_model
+from .file_name import digits, same_file
 
 GAP = 100.0
 """mm; distance of the plates."""
@@ -21,17 +22,19 @@ _REFUSED = re.compile(r'[\x00-\x1f<>:"/\\|?*;=`,]')
 
 def groups_of(records: Sequence[MemberRecord]) -> dict[str, list[DevelopedPlate]]:
     """Plates by the name of the file they lie in, relative to the output folder, thick first."""
-    groups: dict[tuple[float, str], list[DevelopedPlate]] = {}
+    groups: dict[tuple[str, str], list[DevelopedPlate]] = {}
     for record in records:
         for plate in record.plates:
-            groups.setdefault((plate.thickness, plate.material), []).append(plate)
+            groups.setdefault((f"{plate.thickness:g}", plate.material), []).append(plate)
     named: dict[str, list[DevelopedPlate]] = {}
-    for thickness, material in sorted(groups, key=lambda key: (-key[0], key[1])):
-        # Grades that differ in letters a file system refuses, or in case alone, share a file.
+    taken = set()
+    for thickness, material in sorted(groups, key=lambda key: (-float(key[0]), key[1])):
         grade = _REFUSED.sub("_", material).strip(" .")
-        name = f"{FOLDER}/{thickness:g}mm {grade}.dxf"
-        same = next((known for known in named if known.lower() == name.lower()), name)
-        named.setdefault(same, []).extend(groups[thickness, material])
+        if same_file(f"{thickness} {grade}") in taken:
+            # A shop takes the plates of a file for one grade.
+            grade = f"{grade}-{digits(material)}"
+        taken.add(same_file(f"{thickness} {grade}"))
+        named[f"{FOLDER}/{thickness}mm {grade}.dxf"] = groups[thickness, material]
     return named
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import hashlib
 import re
+import unicodedata
 
 LONGEST = 80
 _REFUSED = re.compile(r'[\x00-\x1f\x7f<>:"/\\|?*#]')
@@ -16,6 +17,12 @@ def is_device(name: str) -> bool:
     return bool(_DEVICE.fullmatch(name.partition(".")[0].strip()))
 
 
+def same_file(name: str) -> str:
+    """What names have in common that are one file where a file system tells neither capital letters
+    nor how accents are coded, as on Windows and macOS."""
+    return unicodedata.normalize("NFC", unicodedata.normalize("NFC", name).casefold())
+
+
 def file_name(text: str) -> str:
     """A text as the name of a file without its ending: what a file system would refuse or read as
     a path is `_`, and it is cut to LONGEST characters. Texts that differ have names that differ:
@@ -24,5 +31,9 @@ def file_name(text: str) -> str:
     name = f"_{name}" if not name or is_device(name) else name
     if name == text:
         return name
-    digits = hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()[:6]
-    return f"{name}-{digits}"
+    return f"{name}-{digits(text)}"
+
+
+def digits(text: str) -> str:
+    """Six digits of a text's hash, which tell names apart that would be one."""
+    return hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()[:6]

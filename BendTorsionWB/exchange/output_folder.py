@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from BendTorsionWB.core.finding import BETWEEN, BendTorsionError, Finding, error, warning
+from BendTorsionWB.exchange.file_name import same_file
 from BendTorsionWB.exchange.issued_folder import refuse_issued
 from BendTorsionWB.exchange.known_hashes import KnownHashes, file_hash
 from BendTorsionWB.exchange.left_out_files import kinds_gone
@@ -218,6 +219,7 @@ class OutputFolder:
         self.errors = standing_errors(out)
         self._noted, self._within, self._hashes = False, _Within(out), KnownHashes(out)
         self._told: list[Finding] = []
+        self._made: set[str] = set()
         for folder in {"", ".cache", *(os.path.dirname(name) for name in former)}:
             remove_parts(out / folder)
 
@@ -228,15 +230,20 @@ class OutputFolder:
         return name in self.now or (same and self._hashes.of(name) == own.sha256 != "")
 
     def keep(self, name: str) -> None:
-        """The file stays as it is."""
+        """The file stays as it is. Raises BendTorsionError as `write` for one written before."""
+        self._once(name)
         self.now[name] = self.former[name]
 
     def begin(self, name: str, member: str = "") -> None:
-        """The file is about to be written: after a kill the next build knows it as ours."""
+        """The file is about to be written: after a kill the next build knows it as ours. Raises
+        BendTorsionError as `write`."""
+        self._once(name)
         self._note(name, OwnFile(member))
 
     def write(self, name: str, content: bytes, made_from: str, member: str = "") -> None:
-        """Write a file. Raises BendTorsionError."""
+        """Write a file. Raises BendTorsionError, also for a name this build has had before: another
+        file of it would be lost."""
+        self._once(name)
         own = OwnFile(member, made_from, hashlib.sha256(content).hexdigest())
         self._note(name, own)
         write_whole(self.out / name, content)
@@ -268,6 +275,12 @@ class OutputFolder:
             return tuple(Finding(**item) for item in json.loads(own.told)) if own else ()
         except (ValueError, TypeError):
             return ()
+
+    def _once(self, name: str) -> None:
+        if same_file(name) in self._made:
+            message, mend = "two files of the build have this name", "rename what it is named after"
+            raise BendTorsionError(error("file-name-twice", name, message, mend))
+        self._made.add(same_file(name))
 
     def _note(self, name: str, own: OwnFile) -> None:
         if "\0" in name or not self._within.holds(name):

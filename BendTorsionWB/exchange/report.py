@@ -49,6 +49,11 @@ def sheet_name(member: str) -> str:
     return f"sheets/{member}.pdf"
 
 
+PROJECT_SHEETS = tuple(map(sheet_name, ("general_arrangement", "nodes", "set")))
+"""Paths of the sheets of a whole project in the output folder."""
+ARRANGEMENT, NODES, SHEET_SET = PROJECT_SHEETS
+
+
 def all_findings(
     records: Sequence[MemberRecord], findings: Iterable[Finding] = ()
 ) -> list[Finding]:

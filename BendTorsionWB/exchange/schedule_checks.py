@@ -8,6 +8,8 @@ from collections import defaultdict
 import numpy as np
 from scipy.spatial import cKDTree
 
+from BendTorsionWB.exchange.file_name import same_file
+from BendTorsionWB.exchange.report import PROJECT_SHEETS, sheet_name
 from BendTorsionWB.exchange.schedule_axis_checks import check_frames, check_presets
 from BendTorsionWB.exchange.schedule_cells import did_you_mean
 from BendTorsionWB.exchange.schedule_columns import (
@@ -266,12 +268,16 @@ def _members(rows, sections, axes, faults):
         if record["member"] is not None:
             members[record["member"]].append(record)
     spelling: dict[str, str] = {}
+    of_project = {same_file(name) for name in PROJECT_SHEETS}
     for name, segments in members.items():
-        other = spelling.setdefault(name.lower(), name)
+        other = spelling.setdefault(same_file(name), name)
         if other != name:
-            message = f"member {name} differs from {other} by capital letters only"
+            message = f"member {name} differs from {other} by capitals or the code of letters only"
             mend = "rename one: their files would overwrite each other on some systems"
             _report(faults, segments[0], "member", "duplicate", message, mend)
+        if same_file(sheet_name(name)) in of_project:
+            message = f"{sheet_name(name)} is a file of the whole project"
+            _report(faults, segments[0], "member", "file-name-twice", message, "rename the member")
         _segments(name, segments, axes, faults)
         _types(name, segments, type_of, faults)
 
