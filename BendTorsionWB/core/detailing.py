@@ -39,6 +39,7 @@ from .plates.flat_plate import developed_flat
 from .plates.piece_ends import corner_ends, whole_faces
 from .plates.plate_parts import with_parts
 from .plates.plates import JointRules, split_plates
+from .plates.true_thickness import thickness_findings
 from .solids.cut_skin import cut_skin_area
 from .solids.mass import PlateFigures, net_figures, plate_figures, skin_area
 from .solids.member_figures import beyond_stock, torsion_error, wireframe, with_stock
@@ -154,7 +155,7 @@ def plates_of(geometry: MemberGeometry, given: PlatesInput) -> MemberPlates:
     return MemberPlates(
         geometry,
         tuple(map(PlateGeometry, plates, *skins_and_volumes(plates))),
-        (*geometry.findings, *findings),
+        (*geometry.findings, *findings, *thickness_findings(plates)),
         given,
         tuple(replace(part, piece=geometry.member.piece_at(part.face, part.s)) for part in flat),
     )

@@ -31,6 +31,9 @@ FACES_FLUSH = 1e-6
 RAILS_RESOLVED = 1e-4
 """Rails of plates are interpolated to this between their breaks, and most far better."""
 
+THICKNESS_DRAWN = 0.1
+"""Solids of twisted plates that are thicker than the plate by more than this are warned of, mm."""
+
 SKIN_CORNER = 0.001
 """Corners of a skin between its stations; stations are doubled until they agree to this."""
 
