@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Shuffled segments and bare points put in order; gaps, branches and doubt told with places."""
 
+import time
+
 import numpy as np
 import pytest
 from exact_axes import curves
@@ -80,6 +82,33 @@ def test_a_branch_is_told_with_its_place():
     [finding] = refusals([points[:5], points[4:], twig])
     assert finding.code == "axis-branch" and "1, 2, 3" in finding.message
     assert f"{points[4][0]:.0f}" in finding.position
+
+
+def test_thousands_of_segments_are_joined_at_once_and_told_in_a_line():
+    x = np.arange(3001.0)[:, None] * [10.0, 0, 0]
+    steps = [x[k : k + 2] for k in range(3000)]
+    tips = np.column_stack([np.cos(x[:, 0]), np.sin(x[:, 0]), x[:, 0]]) * 1e3
+    arcs = [np.array([[0, 0, 0], [500, 10.0 * k, 0], [1000, 0, 0]]) for k in range(3000)]
+    crosses = [np.array([[0, 0, 0], tip]) + 1e6 * k for k in range(30) for tip in np.eye(3) * 9]
+    started = time.perf_counter()
+    chain = chain_segments("A1", tuple(steps[::2] + steps[1::2] + steps[:2]))
+    assert np.array_equal(chain.points, x) and len(chain.findings) == 2
+    star = refusals([np.array([[0, 0, 0], tip]) for tip in tips])
+    many_arcs, many_crosses, lone = refusals(arcs), refusals(crosses), refusals(steps[::2])
+    assert time.perf_counter() - started < 5.0
+    assert [f.value for f in star] == [3001] and [f.value for f in many_arcs] == [3000] * 2
+    assert star[0].message == "segments 1, 2, 3, 4, 5, 6, … all meet at one place"
+    [finding] = many_crosses
+    assert finding.code == "axis-branch" and "30 places" in finding.message
+    [finding] = lone
+    assert finding.code == "axis-segment-gap" and "1500 chains" in finding.message
+
+
+def test_bare_points_have_a_limit():
+    with pytest.raises(BendTorsionError) as caught:
+        chain_points("A1", np.arange(3003.0).reshape(-1, 3))
+    [finding] = caught.value.findings
+    assert (finding.code, finding.value, finding.limit) == ("axis-too-many-points", 1001, 1000)
 
 
 def test_a_segment_given_twice_and_one_without_length_are_left_out():

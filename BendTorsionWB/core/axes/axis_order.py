@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from .. import tolerances
 from ..finding import BendTorsionError, Finding, error, note, warning
@@ -22,6 +23,12 @@ AMBIGUOUS = 1.15
 SAME_BEND = np.radians(60.0)
 """Orders whose polygons turn by this much more, in all, are not as good."""
 _MOST_RIVALS = 200
+MOST_TOLD = 20
+"""Branches and chains told one by one; of more, how many there are."""
+SEGMENTS_TOLD = 6
+"""Segments of a branch that are named."""
+MOST_POINTS = 1000
+"""Bare points: their time grows with the third power of their number."""
 LEVEL = 1.0
 """mm: ends whose heights differ by less are level."""
 
@@ -49,8 +56,8 @@ def chain_segments(
     BendTorsionError, naming places, for branches and for gaps, with the width of each gap.
     """
     given = [np.asarray(segment, float).reshape(-1, 3) for segment in segments]
-    findings: list[Finding] = []
-    parts, index = [], []
+    left_out: dict[int, Finding] = {}
+    index = []
     for k, part in enumerate(given):
         if not np.isfinite(part).all():
             raise BendTorsionError(
@@ -62,32 +69,16 @@ def chain_segments(
                     position=f"segment {k + 1}",
                 )
             )
-        twin = next(
-            (j for j, other in zip(index, parts, strict=True) if _same(part, other, tolerance)),
-            None,
-        )
         if len(part) < 2 or np.ptp(part, axis=0).max() <= tolerance:
-            findings.append(
-                note(
-                    "axis-segment-short",
-                    name,
-                    "segment has no length: left out",
-                    position=f"segment {k + 1}",
-                )
-            )
-        elif twin is not None:
-            findings.append(
-                note(
-                    "axis-segment-twice",
-                    name,
-                    f"segment repeats segment {twin + 1}: left out",
-                    position=f"segment {k + 1}",
-                )
+            left_out[k] = note(
+                "axis-segment-short",
+                name,
+                "segment has no length: left out",
+                position=f"segment {k + 1}",
             )
         else:
-            parts.append(part)
             index.append(k)
-    if not parts:
+    if not index:
         raise BendTorsionError(
             error(
                 "axis-too-few-points",
@@ -98,8 +89,21 @@ def chain_segments(
                 limit=1,
             )
         )
-    ends = np.array([[part[0], part[-1]] for part in parts])
+    ends = np.array([[given[k][0], given[k][-1]] for k in index])
     node = _places(ends.reshape(-1, 3), tolerance).reshape(-1, 2)
+    twins = _twins([given[k] for k in index], node, tolerance)
+    for k, first in twins.items():
+        twin = index[first]
+        left_out[index[k]] = note(
+            "axis-segment-twice",
+            name,
+            f"segment repeats segment {twin + 1}: left out",
+            position=f"segment {index[k] + 1}",
+        )
+    single = [k for k in range(len(index)) if k not in twins]
+    ends, node = ends[single], node[single]
+    index = [index[k] for k in single]
+    parts = [given[k] for k in index]
     degree = np.bincount(node.ravel())
     problems = _branches(name, node, degree, ends, index)
     runs = [] if problems else _runs(node, degree)
@@ -114,10 +118,10 @@ def chain_segments(
     for segment, back in run:
         part = parts[segment][::-1] if back else parts[segment]
         if points:
-            points[-1] = np.vstack([points[-1][:-1], 0.5 * (points[-1][-1:] + part[:1]), part[1:]])
-        else:
-            points.append(part)
-    chained = points[0]
+            part = np.vstack([0.5 * (points[-1][-1:] + part[:1]), part[1:]])
+            points[-1] = points[-1][:-1]
+        points.append(part)
+    chained = np.vstack(points)
     if closed:
         chained = chained[:-1]
     return Chain(
@@ -125,7 +129,7 @@ def chain_segments(
         np.array([index[k] for k, _ in run]),
         np.array([back for _, back in run]),
         closed,
-        tuple(findings),
+        tuple(left_out[k] for k in sorted(left_out)),
     )
 
 
@@ -153,9 +157,20 @@ def chain_points(name: str, points: np.ndarray, closed: bool = False) -> Chain:
 
     The chain runs in the direction in which the earlier given of its ends comes first; a ring
     starts at the first point given. Points given twice are left out and reported; a warning when
-    another order is nearly as short.
+    another order is nearly as short. Raises BendTorsionError for more than MOST_POINTS.
     """
     given = np.asarray(points, float).reshape(-1, 3)
+    if len(given) > MOST_POINTS:
+        raise BendTorsionError(
+            error(
+                "axis-too-many-points",
+                name,
+                "bare points are too many to find their order",
+                "draw a polyline through them, or number them",
+                value=len(given),
+                limit=MOST_POINTS,
+            )
+        )
     if not np.isfinite(given).all():
         bad = int(np.argmin(np.isfinite(given).all(axis=1))) + 1
         raise BendTorsionError(
@@ -231,25 +246,53 @@ def _same(first: np.ndarray, second: np.ndarray, tolerance: float) -> bool:
 
 def _places(points: np.ndarray, tolerance: float) -> np.ndarray:
     """Number of the place (n,) of each point; points within tolerance share one."""
+    tree = cKDTree(points)
     place_of = np.full(len(points), -1)
+    count = 0
     for k, point in enumerate(points):
         if place_of[k] < 0:
-            near = (np.linalg.norm(points - point, axis=1) <= tolerance) & (place_of < 0)
-            place_of[near] = place_of.max() + 1
+            near = np.array(tree.query_ball_point(point, tolerance))
+            place_of[near[place_of[near] < 0]] = count
+            count += 1
     return place_of
 
 
+def _twins(parts: list[np.ndarray], node: np.ndarray, tolerance: float) -> dict[int, int]:
+    """By segment, the earlier one it repeats, among those between the same two places."""
+    between: dict[tuple[int, int], list[int]] = {}
+    twins = {}
+    for k, (a, b) in enumerate(node.tolist()):
+        others = between.setdefault((min(a, b), max(a, b)), [])
+        # More than two make a branch, whether some of them are twins or not.
+        if len(others) > 2:
+            continue
+        twin = next((j for j in others if _same(parts[k], parts[j], tolerance)), None)
+        if twin is None:
+            others.append(k)
+        else:
+            twins[k] = twin
+    return twins
+
+
 def _branches(name, node, degree, ends, index) -> list[Finding]:
+    mend = "leave out the segments of the other branch"
+    branches = np.flatnonzero(degree > 2)
+    if len(branches) > MOST_TOLD:
+        row, side = np.argwhere(node == branches[0])[0]
+        message = f"three segments or more meet at each of {len(branches)} places"
+        return [error("axis-branch", name, message, mend, position=place(ends[row, side]))]
     problems = []
-    for branch in np.flatnonzero(degree > 2):
+    for branch in branches:
         rows, sides = np.nonzero(node == branch)
-        numbers = ", ".join(str(index[row] + 1) for row in rows)
+        numbers = ", ".join(str(index[row] + 1) for row in rows[:SEGMENTS_TOLD])
+        if len(rows) > SEGMENTS_TOLD:
+            numbers += ", …"
         problems.append(
             error(
                 "axis-branch",
                 name,
                 f"segments {numbers} all meet at one place",
-                "leave out the segments of the other branch",
+                mend,
                 position=place(ends[rows[0], sides[0]]),
                 value=int(degree[branch]),
                 limit=2,
@@ -289,6 +332,10 @@ def _gaps(name, runs, ends, index, tolerance) -> list[Finding]:
     for run in runs:
         (first, first_back), (last, last_back) = run[0], run[-1]
         tips.append((ends[first, 1 if first_back else 0], ends[last, 0 if last_back else 1]))
+    mend = "close the gap, or leave out what does not belong to the axis"
+    if len(runs) > MOST_TOLD:
+        message = f"the segments form {len(runs)} chains that do not meet"
+        return [error("axis-segment-gap", name, message, mend, position=place(tips[0][1]))]
     joined, problems = {0}, []
     while len(joined) < len(runs):
         gap, inside, outside, side = min(
@@ -306,7 +353,7 @@ def _gaps(name, runs, ends, index, tolerance) -> list[Finding]:
                 name,
                 f"segment {index[runs[inside][-side][0]] + 1} and segment "
                 f"{index[runs[outside][0][0]] + 1}'s chain do not meet",
-                "close the gap, or leave out what does not belong to the axis",
+                mend,
                 position=place(tips[inside][side]),
                 value=gap,
                 limit=tolerance,
