@@ -20,6 +20,7 @@ from BendTorsionWB.exchange.step_fragment import SolidName, step_file
 from BendTorsionWB.exchange.whole_file import whole_file
 from BendTorsionWB.ifc_fragments import NamedSolid, member_fragment
 from BendTorsionWB.model_progress import IFC, STEP
+from BendTorsionWB.shapes.brep import as_built
 from BendTorsionWB.step_fragments import MemberSolids, StepFragments, member_solids
 
 
@@ -144,9 +145,9 @@ def named_solids(plates) -> list[NamedSolid]:
     colours = [tuple(colour[:3]) for colour in plates.Colours]
     if len(colours) != len(marks):
         colours = [face_colour(_letter(mark)) for mark in marks]
+    solids = as_built(plates.Shape).Solids
     return [
-        NamedSolid(*given)
-        for given in zip(marks, plates.MarkPieces, colours, plates.Shape.Solids, strict=True)
+        NamedSolid(*given) for given in zip(marks, plates.MarkPieces, colours, solids, strict=True)
     ]
 
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 import FreeCAD
 
 from BendTorsionWB.gui import selection
+from BendTorsionWB.objects.containers import sub_shapes
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -33,8 +34,7 @@ def axis_ways(target, curves, points, faces) -> list[dict]:
 def _plane_of(face) -> tuple | None:
     """A point and the normal of a picked plane face."""
     obj, names = face
-    shape = obj.Shape if not names or isinstance(names, list) else obj.Shape.getElement(names)
-    faces = shape.Faces
+    faces = sub_shapes(obj, [names] if names and isinstance(names, str) else [])[0].Faces
     if len(faces) != 1 or faces[0].Surface.TypeId != "Part::GeomPlane":
         return None
     return tuple(faces[0].CenterOfMass), tuple(faces[0].normalAt(0.0, 0.0))
@@ -43,7 +43,7 @@ def _plane_of(face) -> tuple | None:
 def _section_rule(target, origin, normal) -> dict:
     """The plane section of a surface, between the ends of the longest curve the kernel finds."""
     obj, names = target if isinstance(target, tuple) else (target, "")
-    shape = obj.Shape.getElement(names) if isinstance(names, str) and names else obj.Shape
+    shape = sub_shapes(obj, [names] if names and isinstance(names, str) else [])[0]
     direction = FreeCAD.Vector(*normal)
     wires = shape.slice(direction, direction.dot(FreeCAD.Vector(*origin)))
     if not wires:

@@ -12,6 +12,7 @@ import Part
 
 from BendTorsionWB.core.finding import BendTorsionError, Finding
 from BendTorsionWB.gui.tree import LINKED_ABOVE
+from BendTorsionWB.shapes.brep import as_built
 
 _S = re.compile(r"\bs (?:= |near )(-?[\d.]+)(?: to (-?[\d.]+))?")
 _XYZ = re.compile(r"x(?:, y, z)? = (-?[\d.]+), (?:y = )?(-?[\d.]+), (?:z = )?(-?[\d.]+)")
@@ -116,7 +117,8 @@ def _nearest(plates, names: Sequence[str], at: FreeCAD.Vector | None):
     place."""
     if not names:
         return [(plates, "")], at
-    faces = [(plates.Shape.getElement(name), name) for name in names]
+    built = as_built(plates.Shape)
+    faces = [(built.getElement(name), name) for name in names]
     if at is None:
         return [(plates, name) for name in names], None
     found = [(*face.distToShape(Part.Vertex(at))[:2], name) for face, name in faces]

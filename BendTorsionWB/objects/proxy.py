@@ -19,6 +19,7 @@ import Part
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
 from BendTorsionWB.interrupts import asked
 from BendTorsionWB.objects import schema
+from BendTorsionWB.objects.containers import outer_placement, places_used
 from BendTorsionWB.objects.uncomputed import after_recompute
 
 READ_ONLY = 1
@@ -55,6 +56,7 @@ class Property:
     default: object = None
     choices: tuple[str, ...] = ()
     output: bool = False
+    hidden: bool = False
 
 
 BASE_PROPERTIES = (
@@ -73,6 +75,14 @@ BASE_PROPERTIES = (
         "Everything the last recompute found, one record (JSON) per line",
         output=True,
     ),
+    Property(
+        "App::PropertyString",
+        "PlacesUsed",
+        "Result",
+        "Where the containers stood at the last recompute that it and what it uses are in",
+        output=True,
+        hidden=True,
+    ),
 )
 
 
@@ -86,8 +96,8 @@ class Proxy(ABC):
     TYPE = ""
     PROPERTIES: tuple[Property, ...] = ()
     LAID_APART = False
-    """Whether Placement may move it, as what is drawn beside the model. All else is where it is
-    built, and what depends on it too."""
+    """Whether Placement, or a container, may move it, as what is drawn beside the model. All else
+    is where it is built, and what depends on it too."""
 
     def __init__(self, obj):
         obj.Proxy = self
@@ -147,6 +157,12 @@ class Proxy(ABC):
         if has_error(findings):
             self.clear(obj)
         write_findings(obj, findings)
+        obj.PlacesUsed = places_used(obj)
+
+    def mustExecute(self, obj) -> bool:
+        """Whether a container was moved since, or something dragged into one or out of it: FreeCAD
+        asks in every recompute, and touches nothing itself."""
+        return "PlacesUsed" in obj.PropertiesList and obj.PlacesUsed != places_used(obj)
 
     @abstractmethod
     def build(self, obj) -> Iterable[Finding]:
@@ -178,10 +194,11 @@ class Proxy(ABC):
                 user.Label = obj.Label + user.Label[len(former) :]
 
     def _put_back(self, obj) -> None:
-        """Undo what moved an object away from what it is built on; its new shape has a place of its
-        own, which may be a Placement as well."""
+        """Undo what moved an object away from what it is built on, the containers it is in among
+        it; its new shape has a place of its own, which may be a Placement as well."""
         if not self.LAID_APART and "Placement" in obj.PropertiesList:
-            obj.Placement = FreeCAD.Placement()
+            outer = outer_placement(obj)
+            obj.Placement = outer if outer.isIdentity() else outer.inverse()
 
     def dumps(self):
         return None
@@ -209,6 +226,7 @@ def add_property(obj, declared: Property) -> None:
             _complete_choices(obj, declared)
         return
     attributes = READ_ONLY | OUTPUT if declared.output else 0
+    attributes |= HIDDEN if declared.hidden else 0
     obj.addProperty(declared.type, declared.name, declared.group, declared.tooltip, attributes)
     if declared.choices:
         setattr(obj, declared.name, list(declared.choices))

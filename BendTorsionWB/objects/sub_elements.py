@@ -14,13 +14,14 @@ from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.objects import member as member_object
 from BendTorsionWB.objects import plate_set as plates_object
 from BendTorsionWB.shapes import roles
+from BendTorsionWB.shapes.brep import as_built
 
 
 def roles_of(obj) -> dict[str, tuple[str, str]]:
     """Every face and edge of a PlateSet's or Member's shape, `FaceN` and `EdgeN`, with its (mark,
     role). Raises BendTorsionError for an object that is in error or out of date."""
     named = _plates(obj) if obj.BT_Type == "PlateSet" else _member(obj)
-    solids = obj.Shape.Solids
+    solids = as_built(obj.Shape).Solids
     if not solids or len(solids) != len(named):
         raise BendTorsionError(
             error(

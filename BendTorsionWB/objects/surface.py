@@ -10,6 +10,7 @@ import Part
 from BendTorsionWB.core.axes.surface_check import size_findings
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.core.geometry import surface as core_surface
+from BendTorsionWB.objects.containers import sub_shapes
 from BendTorsionWB.objects.proxy import Property, Proxy, check_linked, type_of
 from BendTorsionWB.shapes import from_part, surface_shape
 
@@ -51,7 +52,7 @@ class Surface(Proxy):
         surface = value(obj)
         shown = surface_shape.shape(obj.Kind, _sizes(obj), _origin(obj), source_shape(obj))
         # FreeCAD puts a shape it is given where the object is, whatever place the shape has.
-        obj.Placement = shown.Placement
+        obj.Placement = obj.Placement.multiply(shown.Placement)
         obj.Shape = shown
         return size_findings(surface, obj.Label)
 
@@ -90,8 +91,9 @@ def source_shape(obj) -> Part.Shape | None:
 def picked_shape(obj, source, what: str) -> Part.Shape:
     """The sub-shape of a LinkSub (object, (names…)) in document coordinates."""
     target, names = source
-    if type_of(target):
-        check_linked(target)
+    shown = target.getLinkedObject()
+    if type_of(shown):
+        check_linked(shown)
     if not hasattr(target, "Shape") or target.Shape.isNull():
         raise BendTorsionError(
             error(
@@ -104,7 +106,7 @@ def picked_shape(obj, source, what: str) -> Part.Shape:
         )
     names = [name for name in names if name]
     try:
-        shapes = [target.Shape.getElement(name) for name in names] or [target.Shape]
+        shapes = sub_shapes(target, names)
     except Exception as problem:
         raise BendTorsionError(
             error(
@@ -115,10 +117,6 @@ def picked_shape(obj, source, what: str) -> Part.Shape:
                 position="property Source",
             )
         ) from problem
-    shapes = [shape.copy() for shape in shapes]
-    outer = target.getGlobalPlacement().multiply(target.Placement.inverse())
-    for shape in shapes:
-        shape.Placement = outer.multiply(shape.Placement)
     return shapes[0] if len(shapes) == 1 else Part.Compound(shapes)
 
 

@@ -21,7 +21,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-import FreeCAD  # noqa: F401  (Part needs it loaded first)
+import FreeCAD
 import numpy as np
 import Part
 
@@ -77,6 +77,16 @@ def tube_solids(
 def compound(shapes: Iterable[Part.Shape]) -> Part.Compound:
     """The shapes, in their order, as one compound."""
     return Part.Compound(list(shapes))
+
+
+def as_built(shape: Part.Shape) -> Part.Shape:
+    """The shape of an object that was built in document coordinates, wherever its Placement says
+    that it is."""
+    if shape.Placement.isIdentity():
+        return shape
+    shape = shape.copy(False)
+    shape.Placement = FreeCAD.Placement()
+    return shape
 
 
 def empty() -> Part.Compound:

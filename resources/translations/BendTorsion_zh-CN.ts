@@ -1200,6 +1200,10 @@
         <translation>构件相交处等级小者贯通</translation>
     </message>
     <message>
+        <source>Where the containers stood at the last recompute that it and what it uses are in</source>
+        <translation>上次重算时，该对象及其所用对象所在容器的位置</translation>
+    </message>
+    <message>
         <source>Where the curve ends, as a part of the other range (iso-curve)</source>
         <translation>曲线终点，以另一参数范围的比例表示（等参线）</translation>
     </message>
