@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import Spreadsheet  # noqa: F401  (registers Spreadsheet::Sheet)
 
-from BendTorsionWB import make
+from BendTorsionWB import make, make_files
 from BendTorsionWB.core.sections import section_catalogue
 from BendTorsionWB.core.sections.section_properties import section_properties
 from BendTorsionWB.objects import section_spec
@@ -170,3 +170,48 @@ def test_every_catalogue_section_can_be_made():
             assert section_spec.value(section).corners == entry.section().corners
     finally:
         FreeCAD.closeDocument(document.Name)
+
+
+def test_what_follows_another_document_is_in_error_while_that_is_not_there(tmp_path):
+    values = FreeCAD.newDocument("Values")
+    sheet = values.addObject("Spreadsheet::Sheet", "Sheet")
+    sheet.set("A1", "=650 mm")
+    sheet.setAlias("A1", "hh")
+    values.recompute()
+    values.saveAs(str(tmp_path / "Values.FCStd"))
+    document = FreeCAD.newDocument("Follows")
+    surface = make.make_surface(document, "Hall", "sphere", r=20000)
+    points = [(20000 * np.cos(a), 20000 * np.sin(a), 0) for a in (0, 0.1, 0.2, 0.3)]
+    axis = make.make_axis(document, "A1", surface, points)
+    section = make.make_section(document, "S6", "box1", h=600, b=500, t=20)
+    plates = make.make_plates(document, make.make_member(document, "M1", axis, [section]))
+    make.make_unfold(document, plates)
+    document.recompute()
+    document.saveAs(str(tmp_path / "Follows.FCStd"))
+    section.setExpression("Height", "Values#Sheet.hh")
+    document.recompute()
+    document.save()
+    assert section.Height.Value == 650.0 and plates.Status == "ok"
+    volume = plates.Shape.Volume
+    for name in ("Follows", "Values"):
+        FreeCAD.closeDocument(name)
+    (tmp_path / "Values.FCStd").rename(tmp_path / "aside.FCStd")
+    document = FreeCAD.openDocument(str(tmp_path / "Follows.FCStd"))
+    try:
+        [finding] = make_files.check(document)
+        assert (finding.code, finding.object) == ("object-invalid", "S6")
+        assert "'Values' not found" in finding.message
+        for name in ("SectionSpec", "Member", "PlateSet", "Unfold"):
+            obj = document.getObject(name)
+            assert obj.Status.startswith("error") and not obj.Shape.SubShapes, name
+        written = make_files.write_package(document, tmp_path / "package")
+        assert "object-invalid" in [finding.code for finding in written.findings]
+        assert not (tmp_path / "package" / "model.step").exists()
+        (tmp_path / "aside.FCStd").rename(tmp_path / "Values.FCStd")
+        FreeCAD.openDocument(str(tmp_path / "Values.FCStd"))
+        assert make_files.check(document) == ()
+        assert document.PlateSet.Shape.Volume == pytest.approx(volume)
+    finally:
+        for name in FreeCAD.listDocuments():
+            if name in ("Follows", "Values"):
+                FreeCAD.closeDocument(name)

@@ -7,9 +7,14 @@ it, and leaves all of these as they were, up to date by their looks.
 
 from __future__ import annotations
 
+import re
+
 import FreeCAD
 
 from BendTorsionWB.core.finding import error
+
+_DOCUMENT = re.compile(r"(?:<<(.*?)>>|(\w+))#")
+"""What an expression calls another document: its label or its name."""
 
 
 class AfterRecompute:
@@ -23,6 +28,13 @@ class AfterRecompute:
         if not self.registered:
             FreeCAD.addDocumentObserver(self)
             self.registered = True
+
+    def slotBeforeRecomputeDocument(self, document) -> None:
+        """Have FreeCAD compute what follows a document that is not there: it leaves it with the
+        last value, and tells nothing."""
+        for obj in document.Objects:
+            if _follows_what_is_not_there(obj):
+                obj.touch()
 
     def slotRecomputedObject(self, obj) -> None:
         """Put in error what FreeCAD passed over, before what depends on it is computed."""
@@ -69,6 +81,14 @@ def empty_dependants(document, left) -> None:
             obj.Proxy.execute(obj)
         if obj.isValid():
             obj.purgeTouched()
+
+
+def _follows_what_is_not_there(obj) -> bool:
+    words = [text for _, text in obj.ExpressionEngine if "#" in text]
+    if not words:
+        return False
+    there = {name for used in obj.OutList for name in (used.Document.Name, used.Document.Label)}
+    return not {label or name for text in words for label, name in _DOCUMENT.findall(text)} <= there
 
 
 def _finding(obj):
