@@ -20,6 +20,7 @@ from BendTorsionWB.objects import sheet as sheet_object
 from BendTorsionWB.objects import unfold as unfold_object
 from BendTorsionWB.objects.given import Given
 from BendTorsionWB.objects.new_object import new_object, scripted
+from BendTorsionWB.objects.proxy import type_of
 from BendTorsionWB.sheets.strain_picture import write_strain_picture
 
 
@@ -122,7 +123,7 @@ def make_node(
     """
     plates = given.read(label or name, "plates", plates, given.rows)
     for item in plates:
-        if getattr(item, "BT_Type", "") != "PlateSet":
+        if type_of(item) != "PlateSet":
             given.refuse(label or name, "plates", item, "are no PlateSets", "give PlateSets")
     beside = given.read(label or name, "beside", beside, given.rows)
     ends_on = given.read(label or name, "ends_on", ends_on, given.rows)

@@ -8,6 +8,7 @@ import pytest
 
 from BendTorsionWB import make
 from BendTorsionWB.document_export import records_of
+from BendTorsionWB.objects.proxy import findings_of
 from BendTorsionWB.solid_files import named_solids
 
 UP = FreeCAD.Placement(FreeCAD.Vector(100, 200, 700), FreeCAD.Rotation())
@@ -150,3 +151,46 @@ def test_moved_before_it_was_saved_and_taken_back(model, tmp_path):
     opened.recompute()
     assert figures(opened) == moved
     check_up_to_date(opened, "opened")
+
+
+def test_links_to_shapes_are_read_where_they_show_them(model):
+    links = {}
+    for name in SOURCES:
+        links[name] = model.addObject("App::Link", f"{name}Link")
+        links[name].LinkedObject = model.getObject(name)
+        links[name].Placement = model.getObject(name).Placement
+    model.recompute()
+    first = figures(model)
+    model.Surface.Source = (links["Roof"], ["Face1"])
+    model.Axis.Source = (links["Line"], ["Edge1"])
+    model.Member.EndCutFace = (links["Wall"], ["Face1"])
+    check_up_to_date(model, "linked")
+    assert figures(model) == first
+    low = model.PlateSet.Shape.BoundBox.ZMin
+    links["Line"].Placement.Base.z += 30.0
+    links["Roof"].Placement.Base.z += 30.0
+    check_up_to_date(model, "links moved")
+    part = model.addObject("App::Part", "Part")
+    part.Placement.Base.z = 700.0
+    part.Group = list(links.values())
+    check_up_to_date(model, "links in a container")
+    assert model.PlateSet.Shape.BoundBox.ZMin == pytest.approx(low + 730.0)
+
+
+@pytest.mark.parametrize("target", [None, "Surface"])
+def test_links_to_nothing_and_to_what_is_in_error_are_told(model, target):
+    link = model.addObject("App::Link", "L")
+    link.LinkedObject = model.Line
+    if target is None:
+        model.Axis.Source = (link, ["Edge1"])
+    else:
+        link.LinkedObject = model.Surface
+        model.Surface.Source = (model.Roof, ["Face7"])
+        model.Member.EndCutFace = (link, ["Face1"])
+    model.recompute()
+    if target is None:
+        link.LinkedObject = None
+        model.recompute()
+    codes = {finding.code for finding in findings_of(model.Member)}
+    assert model.Member.Status.startswith("error") and "internal-error" not in codes
+    assert not model.PlateSet.Shape.SubShapes

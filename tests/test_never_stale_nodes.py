@@ -201,3 +201,32 @@ def test_whoever_uses_an_object_in_error_is_in_error_by_every_kind_of_link(docum
         setattr(obj, name, kept)
         document.recompute()
         assert figures(document) == before, (obj.Label, name)
+
+
+def test_a_link_in_the_place_of_an_object_is_refused_by_name(with_sheets):
+    """By any property that links; what FreeCAD's links show is shown, and computed elsewhere."""
+    before = figures(with_sheets)
+    link = with_sheets.addObject("App::Link", "L")
+    tried = set()
+    for obj in [obj for obj in ours(with_sheets) if obj.BT_Type not in PAGES]:
+        for declared in obj.Proxy.declared(obj):
+            kept = None if declared.output else getattr(obj, declared.name, None)
+            if not kept or declared.type not in ("App::PropertyLink", "App::PropertyLinkList"):
+                continue
+            many = isinstance(kept, list)
+            link.LinkedObject = kept[0] if many else kept
+            link.recompute()
+            setattr(obj, declared.name, [link] if many else link)
+            obj.recompute()
+            told = [f.code for f in findings_of(obj) if f.severity == "error"]
+            assert told == ["link-kind"], f"{obj.BT_Type}.{declared.name}: {obj.Status}"
+            setattr(obj, declared.name, kept)
+            obj.recompute()
+            tried.add(obj.BT_Type)
+    assert tried == {"Axis", "Member", "PlateSet", "Unfold", "Node", "SheetSet"} | {
+        "ArrangementSet",
+        "NodeSheets",
+    }
+    with_sheets.removeObject(link.Name)
+    with_sheets.recompute()
+    assert figures(with_sheets) == before

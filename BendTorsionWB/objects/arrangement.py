@@ -9,9 +9,16 @@ from BendTorsionWB.core.drawings.sheet import Sheet
 from BendTorsionWB.core.drawings.sheet_arrangement import arrangement_sheets
 from BendTorsionWB.core.drawings.sheet_layout import member_sheets
 from BendTorsionWB.core.drawings.sheet_style import PLAIN_STYLE, SheetStyle
-from BendTorsionWB.core.finding import error
+from BendTorsionWB.core.finding import Finding, error
 from BendTorsionWB.core.lofting import MemberRecord
-from BendTorsionWB.objects.proxy import Property, Proxy, bare_finding, findings_of, is_bare
+from BendTorsionWB.objects.proxy import (
+    Property,
+    Proxy,
+    bare_finding,
+    findings_of,
+    is_bare,
+    type_of,
+)
 from BendTorsionWB.objects.sheet import keep_pages
 from BendTorsionWB.objects.sheet_content import faulty, kept_record, style_of
 
@@ -47,7 +54,8 @@ class ArrangementSet(Proxy):
     def build(self, obj):
         """The pages as they are now; in error when one of the members is, which they tell."""
         sets = _sheet_sets(obj)
-        told = [bare_finding(one) for one in sets if is_bare(one)]
+        told = [_no_sheets(obj, one) for one in obj.Sheets if one not in sets]
+        told += [bare_finding(one) for one in sets if is_bare(one)]
         told += [found for one in sets for found in findings_of(one) if found.severity == "error"]
         keep_pages(obj, told)
         return tuple(dict.fromkeys(told))
@@ -58,7 +66,18 @@ class ArrangementSet(Proxy):
 
 def _sheet_sets(obj) -> list:
     """The sheet sets that are left of those linked to."""
-    return [one for one in obj.Sheets if getattr(one, "BT_Type", "") == "SheetSet"]
+    return [one for one in obj.Sheets if type_of(one) == "SheetSet"]
+
+
+def _no_sheets(obj, other) -> Finding:
+    return error(
+        "link-kind",
+        obj.Label,
+        "Sheets links to what is no sheet set",
+        "link to sheet sets only",
+        position="property Sheets",
+        value=other.Label,
+    )
 
 
 @lru_cache(maxsize=8)

@@ -23,7 +23,7 @@ from BendTorsionWB.core.axes.surface_check import surface_findings
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.objects import surface as surface_object
 from BendTorsionWB.objects.axis_properties import PROPERTIES
-from BendTorsionWB.objects.proxy import Proxy, check_linked, linked
+from BendTorsionWB.objects.proxy import Proxy, check_linked, linked, type_of
 from BendTorsionWB.shapes import axis_source, curve_shape, frame_shape
 
 TWIST_STATIONS = 401
@@ -61,7 +61,7 @@ def _crossings(obj, axis: core_axis.Axis) -> tuple[list[float], list[tuple]]:
     """Places and points of this axis where the axes in CrossingAxes cross it."""
     found = []
     for other in obj.CrossingAxes:
-        if getattr(other, "BT_Type", "") != "Axis":
+        if type_of(other) != "Axis":
             raise BendTorsionError(
                 error(
                     "link-kind",

@@ -10,7 +10,7 @@ from BendTorsionWB.core.members.end_cut import KINDS, SQUARE, EndCut
 from BendTorsionWB.objects import given
 from BendTorsionWB.objects import surface as surface_object
 from BendTorsionWB.objects.given import Given
-from BendTorsionWB.objects.proxy import Property, check_linked
+from BendTorsionWB.objects.proxy import Property, check_kind, check_linked, type_of
 from BendTorsionWB.shapes import from_part
 
 ENDS = ("Start", "End")
@@ -107,6 +107,15 @@ def _numbered(names: Sequence[str], vector) -> list[str]:
     return [f"{name}={value!r}" for name, value in zip(names, vector, strict=True)]
 
 
+def _surface(obj, end: str):
+    """The Surface an end is cut at; raises BendTorsionError for one in error, and for a link, as
+    its shape is without offset and no larger than it is shown."""
+    target = getattr(obj, f"{end}CutFace")[0]
+    check_kind(obj, f"{end}CutFace", target, "Surface")
+    check_linked(target)
+    return target
+
+
 def _end_cut(obj, end: str) -> EndCut:
     kind = getattr(obj, f"{end}Cut")
     offset = getattr(obj, f"{end}CutOffset").Value
@@ -133,9 +142,8 @@ def _end_cut(obj, end: str) -> EndCut:
                 position=f"property {end}CutFace",
             )
         )
-    if getattr(source[0], "BT_Type", "") == "Surface":
-        check_linked(source[0])
-        return EndCut(kind, offset, surface=surface_object.value(source[0]))
+    if type_of(source[0].getLinkedObject()) == "Surface":
+        return EndCut(kind, offset, surface=surface_object.value(_surface(obj, end)))
     shape = surface_object.picked_shape(obj, source, "face")
     if len(shape.Faces) == 1 and shape.Faces[0].Surface.TypeId == "Part::GeomPlane":
         plane = shape.Faces[0].Surface

@@ -12,7 +12,7 @@ from numbers import Real
 import FreeCAD
 
 from BendTorsionWB.core.finding import BendTorsionError, error
-from BendTorsionWB.objects.proxy import LARGEST_NUMBER, Property
+from BendTorsionWB.objects.proxy import LARGEST_NUMBER, Property, type_of
 
 LINKED = {
     "Surface": "Surface",
@@ -267,7 +267,7 @@ def _linked(document, name: str, value: object):
             raise ValueError("is missing", f"give one of kind {kind}")
         return None
     _own(document, value)
-    if getattr(value, "BT_Type", "") != kind:
+    if type_of(value) != kind:
         raise ValueError(f"is no {kind}", f"give one of kind {kind}")
     return value
 

@@ -16,7 +16,7 @@ from BendTorsionWB.core.nodes.node_meetings import meetings_of, place_of
 from BendTorsionWB.core.nodes.node_reach import stub_limits
 from BendTorsionWB.core.nodes.nodes import Node as CoreNode
 from BendTorsionWB.objects import member as member_object
-from BendTorsionWB.objects.proxy import Property, Proxy, check_linked, linked
+from BendTorsionWB.objects.proxy import Property, Proxy, check_linked, linked, type_of
 from BendTorsionWB.shapes import node_shape
 
 THROUGH_BY = ("link", "rank")
@@ -280,7 +280,7 @@ def _linked_members(obj, name: str) -> list:
     the node itself."""
     found = getattr(obj, name)
     for item in found:
-        if getattr(item, "BT_Type", "") != "Member" or item in (obj.Through, obj.Other):
+        if type_of(item) != "Member" or item in (obj.Through, obj.Other):
             raise BendTorsionError(
                 error(
                     "link-kind",
@@ -300,7 +300,7 @@ def nodes_of(objects: Iterable) -> tuple[CoreNode, ...]:
     nodes = []
     known: dict[str, detailing.MemberGeometry] = {}
     for obj in objects:
-        if getattr(obj, "BT_Type", "") != "Node":
+        if type_of(obj) != "Node":
             raise BendTorsionError(
                 error(
                     "link-kind",

@@ -6,6 +6,7 @@ from __future__ import annotations
 from BendTorsionWB.core import detailing
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.objects import plate_set
+from BendTorsionWB.objects.proxy import type_of
 from BendTorsionWB.shapes.pattern_shape import ROW_GAP
 
 CLEAR = 5.0 * ROW_GAP
@@ -34,14 +35,14 @@ def free_place(document, plates) -> tuple[float, float, float]:
 
 
 def _is_new(obj) -> bool:
-    return getattr(obj, "BT_Type", "") == "Unfold" and not obj.Shape.SubShapes
+    return type_of(obj) == "Unfold" and not obj.Shape.SubShapes
 
 
 def _counts(obj) -> bool:
     shape = getattr(obj, "Shape", None)
     if not hasattr(shape, "isNull") or shape.isNull() or not shape.BoundBox.isValid():
         return False
-    kind = getattr(obj, "BT_Type", "")
+    kind = type_of(obj)
     if kind in ("SectionSpec", "PageOutlines"):
         return False
     return kind != "Surface" or obj.Kind == "face"

@@ -308,7 +308,8 @@ def findings_of(obj) -> tuple[Finding, ...]:
 def type_of(obj) -> str:
     """The kind of an object of ours, empty for others; links pass on the properties of what they
     show, and are no objects of ours."""
-    return "" if obj.TypeId.startswith("App::Link") else getattr(obj, "BT_Type", "")
+    is_link = getattr(obj, "TypeId", "").startswith("App::Link")
+    return "" if is_link else getattr(obj, "BT_Type", "")
 
 
 def linked(obj, name: str, kind: str):
@@ -326,19 +327,27 @@ def linked(obj, name: str, kind: str):
                 position=f"property {name}",
             )
         )
-    if getattr(target, "BT_Type", "") != kind:
+    check_kind(obj, name, target, kind)
+    check_linked(target)
+    return target
+
+
+def check_kind(obj, name: str, target, kind: str) -> None:
+    """Raises BendTorsionError unless what a property links to is an object of ours of this kind."""
+    word = KIND_WORDS[kind]
+    if type_of(target) != kind:
+        # FreeCAD's links pass on properties, and not what computes them.
+        by_link = type_of(target.getLinkedObject()) == kind
         raise BendTorsionError(
             error(
                 "link-kind",
                 obj.Label,
                 f"{name} links to what is no {word}",
-                f"choose {_a(word)}",
+                f"choose {_a(word)}, not a link to it" if by_link else f"choose {_a(word)}",
                 position=f"property {name}",
                 value=target.Label,
             )
         )
-    check_linked(target)
-    return target
 
 
 def _missing(name: str) -> str:
