@@ -47,6 +47,7 @@ if __name__ == "__main__":
 import logging  # noqa: E402
 import traceback  # noqa: E402
 from importlib.util import find_spec  # noqa: E402
+from warnings import catch_warnings, simplefilter  # noqa: E402
 
 from BendTorsionWB import arguments, freecad_path  # noqa: E402
 from BendTorsionWB.console import Progress, print_findings  # noqa: E402
@@ -117,7 +118,10 @@ def _run(given: list[str] | None) -> int:
         held = options.command in _AT_DOCUMENTS
         for place in _places(options):
             refuse_issued(place)
-        with outside_allowed(getattr(options, "outside_files", False)):
+        with outside_allowed(getattr(options, "outside_files", False)), catch_warnings():
+            if not options.debug:
+                # What is wrong is told as a finding; numpy's lines say nothing to a user.
+                simplefilter("ignore", RuntimeWarning)
             with interrupts.to_the_end() if held else nullcontext():
                 return _COMMANDS[options.command](options)
     except BendTorsionError as problem:

@@ -151,6 +151,7 @@ def test_the_largest_spacing_holds():
         (np.empty((0, 3)), "axis-too-few-points", ""),
         ([[0, 0, 0], [1, np.nan, 0], [2, 0, 0]], "axis-point-not-a-number", "point 2"),
         ([[0, 0, 0], [np.inf, 1, 0]], "axis-point-not-a-number", "point 2"),
+        ([[0, 0, 0], [1e300, 1, 0]], "axis-point-too-far", "point 2"),
         ([[0, 0, 0], [500, 0, 0], [500, 0, 1e-4]], "axis-points-coincide", "point 3"),
     ],
 )

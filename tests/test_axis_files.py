@@ -166,3 +166,51 @@ def test_named_curves_of_step_files_come_back_exactly(tmp_path):
     brep = tmp_path / "axis.brep"
     shapes["Rib 2"].exportBrep(str(brep))
     assert part_axis(brep).curve.poles == pytest.approx(other.curve.poles, abs=1e-6)
+
+
+def line(space, *points):
+    space.add_polyline3d(points)
+
+
+def spline(space, weights=(1, 1, 2, 1), end=1.0):
+    added = space.add_rational_spline(POLES, weights, 3)
+    added.knots = [0.0] * 4 + [end] * 4
+
+
+@pytest.mark.parametrize(
+    "code, draw",
+    [
+        ("axis-point-too-far", lambda space: line(space, (0, 0, 0), (1e300, 0, 0))),
+        ("axis-point-too-far", lambda space: line(space, (0, 0, 0), (1.1e7, 0, 0))),
+        ("axis-point-too-far", lambda space: space.add_point((1.7e308, 0, 0))),
+        ("axis-point-not-a-number", lambda space: space.add_circle((0, 0), 1e300)),
+        (
+            "axis-point-not-a-number",
+            lambda space: space.add_lwpolyline([(0, 0, 1e300), (9, 9, 0)], format="xyb"),
+        ),
+        ("axis-curve-weights", lambda space: spline(space, (1, 1e-300, 1, 1))),
+        ("axis-curve-weights", lambda space: spline(space, (1, -1, 1, 1))),
+        ("axis-curve-knots", lambda space: spline(space, end=1e-300)),
+        ("axis-curve-knots", lambda space: spline(space, end=math.nan)),
+    ],
+)
+@pytest.mark.filterwarnings("error")
+def test_numbers_nothing_can_be_computed_from_are_refused_when_read(tmp_path, code, draw):
+    document = ezdxf.new("R2000", units=6)
+    draw(document.modelspace())
+    document.saveas(tmp_path / "axis.dxf")
+    with pytest.raises(BendTorsionError) as caught:
+        dxf_axis(tmp_path / "axis.dxf", "0")
+    [finding] = caught.value.findings
+    assert finding.code == code and finding.position in ("segment 1", "point 1")
+    assert finding.value is None or finding.value > finding.limit
+
+
+def test_poles_of_a_part_curve_far_beyond_any_building_are_refused(tmp_path):
+    poles = [FreeCAD.Vector(*pole) * 1e12 for pole in POLES]
+    curve = Part.BSplineCurve()
+    curve.buildFromPoles(poles)
+    curve.toShape().exportBrep(str(tmp_path / "axis.brep"))
+    with pytest.raises(BendTorsionError) as caught:
+        part_axis(tmp_path / "axis.brep")
+    assert caught.value.findings[0].code == "axis-point-too-far"

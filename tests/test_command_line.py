@@ -6,9 +6,11 @@ import re
 import shutil
 import subprocess
 import sys
+import warnings
 from pathlib import Path
 
 import FreeCAD
+import numpy as np
 import openpyxl
 import Part
 import pytest
@@ -260,6 +262,19 @@ def test_a_fault_of_the_program_is_one_line_and_debug_tells_where(tmp_path, caps
     assert main([*call, "--debug"]) == 1
     told = capsys.readouterr().err
     assert "Traceback" in told and "in broken" in told
+
+
+def test_warnings_of_numpy_are_for_debug_alone(tmp_path, monkeypatch):
+    def overflowing(*given, **named):
+        return np.float64(1e300) * np.array([1e300])
+
+    monkeypatch.setattr(project, "build", overflowing)
+    call = ["build", str(tmp_path / "s.xlsx"), "--out", str(tmp_path / "out")]
+    for options, count in (([], 0), (["--debug"], 1)):
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            main([*call, *options])
+        assert len(told) == count
 
 
 def test_names_of_files_that_cannot_be_are_told_before_anything_is_computed(tmp_path, capsys):

@@ -168,21 +168,21 @@ def _source(name: str, entities: list, scale: float, findings: tuple[Finding, ..
     for entity in entities:
         kind = entity.dxftype()
         if kind == "POINT":
-            points.append(np.array(entity.dxf.location) * scale)
+            points.append(np.array(entity.dxf.location))
         elif kind in ("LWPOLYLINE", "POLYLINE") and _has_bulge(entity):
             for part in entity.virtual_entities():
                 if part.dxftype() == "LINE":
-                    polylines.append(_vertices(part) * scale)
+                    polylines.append(_vertices(part))
                 else:
-                    curves.append(_curve(part, scale))
+                    curves.append(_curve(part))
         elif kind == "SPLINE" and not len(entity.control_points):
             # Fit points alone name no curve: they count as points in order.
-            polylines.append(np.array([tuple(p) for p in entity.fit_points]) * scale)
+            polylines.append(np.array([tuple(p) for p in entity.fit_points]).reshape(-1, 3))
         elif kind in ("LWPOLYLINE", "POLYLINE", "LINE"):
-            polylines.append(_vertices(entity) * scale)
+            polylines.append(_vertices(entity))
         else:
-            curves.append(_curve(entity, scale))
-    return axis_source(name, tuple(curves), tuple(polylines), np.array(points), findings)
+            curves.append(_curve(entity))
+    return axis_source(name, tuple(curves), tuple(polylines), np.array(points), findings, scale)
 
 
 def _has_bulge(entity) -> bool:
@@ -201,7 +201,7 @@ def _vertices(entity) -> np.ndarray:
     return np.vstack([points, points[:1]]) if entity.closed else points
 
 
-def _curve(entity, scale: float) -> Curve:
+def _curve(entity) -> Curve:
     if entity.dxftype() == "SPLINE":
         spline = entity.construction_tool()
     else:
@@ -212,6 +212,6 @@ def _curve(entity, scale: float) -> Curve:
     return Curve(
         spline.degree,
         np.array(spline.knots(), float),
-        np.array([tuple(point) for point in spline.control_points], float) * scale,
+        np.array([tuple(point) for point in spline.control_points], float),
         None if not len(weights) or np.ptp(weights) == 0 else weights,
     )

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..core.axes.axis_check import check_weights
 from ..core.axes.axis_source import AxisSource, axis_source, found_source
 from ..core.finding import BendTorsionError, error, has_error
 from ..core.geometry.curve import Curve
@@ -137,29 +138,31 @@ def _source(name: str, members, unit: float) -> AxisSource:
     for geometry in members:
         kind = type(geometry).__name__
         if kind == "Point":
-            points.append(_place(geometry.Location) * unit)
+            points.append(_place(geometry.Location))
         elif kind == "LineCurve":
             ends = geometry.PointAtStart, geometry.PointAtEnd
-            polylines.append(np.array([_place(end) for end in ends]) * unit)
+            polylines.append(np.array([_place(end) for end in ends]))
         elif kind == "PolylineCurve":
             count = geometry.PointCount
-            polylines.append(np.array([_place(geometry.Point(k)) for k in range(count)]) * unit)
+            polylines.append(np.array([_place(geometry.Point(k)) for k in range(count)]))
         else:
-            curves.append(_curve(geometry.ToNurbsCurve(), unit))
-    return axis_source(name, tuple(curves), tuple(polylines), np.array(points))
+            place = f"segment {len(curves) + 1}"
+            curves.append(_curve(name, geometry.ToNurbsCurve(), place))
+    return axis_source(name, tuple(curves), tuple(polylines), np.array(points), unit=unit)
 
 
 def _place(point) -> np.ndarray:
     return np.array([point.X, point.Y, point.Z])
 
 
-def _curve(spline, unit: float) -> Curve:
+def _curve(name: str, spline, position: str) -> Curve:
     poles = np.array([[p.X, p.Y, p.Z, p.W] for p in spline.Points])
     weights = poles[:, 3]
+    check_weights(name, weights, position)
     return Curve(
         spline.Order - 1,
         _knots(spline.Knots, spline.Order - 1),
-        poles[:, :3] / weights[:, None] * unit,
+        poles[:, :3] / weights[:, None],
         None if np.ptp(weights) == 0.0 else weights / weights[0],
     )
 

@@ -10,6 +10,7 @@ import FreeCAD  # noqa: F401  Part crashes the interpreter when it is loaded bef
 import numpy as np
 import Part
 
+from ..core.axes.axis_check import check_curve
 from ..core.finding import BendTorsionError, error
 from ..core.geometry.curve import Curve
 from ..core.geometry.curve_edit import joined, turned
@@ -144,7 +145,7 @@ def curve_from_part(shape: Part.Shape, object: str = "axis") -> Curve:
         )
     edges = [edge for edge in shape.Edges if not edge.Degenerated]
     if len(edges) == 1:
-        return _core_curve(_spline(edges[0], object, "Edge1"))
+        return _core_curve(_spline(edges[0], object, "Edge1"), object, "Edge1")
     chains = Part.sortEdges(edges)
     if len(chains) != 1:
         raise BendTorsionError(
@@ -161,7 +162,7 @@ def curve_from_part(shape: Part.Shape, object: str = "axis") -> Curve:
     degree = max(spline.Degree for spline in splines)
     for spline in splines:
         spline.increaseDegree(degree)
-    curves = [_core_curve(spline) for spline in splines]
+    curves = [_core_curve(spline, object, f"Edge{k + 1}") for k, spline in enumerate(splines)]
     return joined(_oriented(curves, object), [spline.length() for spline in splines])
 
 
@@ -193,14 +194,16 @@ def _spline(edge: Part.Edge, object: str, position: str) -> Part.BSplineCurve:
     return spline
 
 
-def _core_curve(spline: Part.BSplineCurve) -> Curve:
+def _core_curve(spline: Part.BSplineCurve, object: str, position: str) -> Curve:
     weights = np.array(spline.getWeights(), float)
-    return Curve(
+    curve = Curve(
         spline.Degree,
         np.repeat(spline.getKnots(), spline.getMultiplicities()).astype(float),
         np.array([tuple(pole) for pole in spline.getPoles()], float),
         None if np.ptp(weights) == 0 else weights,
     )
+    check_curve(object, curve, position)
+    return curve
 
 
 def _oriented(curves: list[Curve], object: str) -> list[Curve]:

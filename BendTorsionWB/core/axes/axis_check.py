@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from math import isfinite
+
 import numpy as np
 from scipy.spatial import cKDTree
 
@@ -24,23 +27,93 @@ KINK = np.radians(0.1)
 """Tangents that differ by more at a joint of an exact curve make a kink no plate can follow."""
 SLIGHT_KINK = np.radians(0.01)
 _ENDS_MEET = 1.0
+FARTHEST = 1e10
+"""mm: no coordinate of a building, survey grids included, is larger."""
+WEIGHTS = 1e6
+"""Weights of a curve's poles differ by no larger factor."""
+KNOTS_SPAN = 1e-9, 1e12
+"""Knots of a curve run over no less, and are no larger."""
+_KNOTS_ONE = 1e-14
+
+
+def check_coordinates(
+    name: str,
+    points: np.ndarray,
+    what: str,
+    numbers: Sequence[int] | np.ndarray | None = None,
+    unit: float = 1.0,
+) -> None:
+    """Raises BendTorsionError at the first of points (k, 3), in units of `unit` mm, that is not
+    finite or farther away than FARTHEST. what, with the point's number if there are numbers: where
+    it is."""
+    fine = (np.abs(points) <= FARTHEST / unit).all(axis=1)
+    if fine.all():
+        return
+    k = int(np.argmin(fine))
+    position = what if numbers is None else f"{what} {numbers[k]}"
+    mend = "give x, y and z in mm"
+    if not np.isfinite(points[k]).all():
+        message = "coordinate is not a finite number"
+        raise BendTorsionError(
+            error("axis-point-not-a-number", name, message, mend, position=position)
+        )
+    value = float(np.abs(points[k]).max()) * unit
+    raise BendTorsionError(
+        error(
+            "axis-point-too-far",
+            name,
+            "coordinate is far beyond any building",
+            mend,
+            position=position,
+            value=value if isfinite(value) else None,
+            limit=FARTHEST,
+            unit="mm",
+        )
+    )
+
+
+def check_curve(name: str, curve: Curve, position: str, unit: float = 1.0) -> None:
+    """Raises BendTorsionError for a curve, in units of `unit` mm, with numbers that nothing can be
+    computed from: poles as of check_coordinates, weights, knots."""
+    check_coordinates(name, curve.poles, position, unit=unit)
+    if curve.weights is not None:
+        check_weights(name, curve.weights, position)
+    if not _knots_rise(curve):
+        message = "knots of the curve do not rise, or are too near or too far"
+        raise BendTorsionError(
+            error("axis-curve-knots", name, message, "rebuild the curve", position=position)
+        )
+
+
+def _knots_rise(curve: Curve) -> bool:
+    least, most = KNOTS_SPAN
+    if not (np.abs(curve.knots) <= most).all():
+        return False
+    span, steps = curve.domain[1] - curve.domain[0], np.diff(curve.knots)
+    return bool(span >= least and ((steps == 0) | (steps > _KNOTS_ONE * span)).all())
+
+
+def check_weights(name: str, weights: np.ndarray, position: str) -> None:
+    """Raises BendTorsionError for weights (n,) of poles that are not positive, or too different."""
+    least, most = float(np.min(weights)), float(np.max(weights))
+    if not (0.0 < least <= most <= WEIGHTS * least and isfinite(most)):
+        message = "weights of the curve's poles are not positive, or too different"
+        raise BendTorsionError(
+            error(
+                "axis-curve-weights",
+                name,
+                message,
+                "rebuild the curve",
+                position=position,
+            )
+        )
 
 
 def checked_points(
     name: str, given: np.ndarray, numbers: np.ndarray, closed: bool
 ) -> list[Finding]:
     """Findings for points (k, 3); raises BendTorsionError when no axis can run through them."""
-    finite = np.isfinite(given).all(axis=1)
-    if not finite.all():
-        raise BendTorsionError(
-            error(
-                "axis-point-not-a-number",
-                name,
-                "coordinate is not a finite number",
-                "give x, y and z in mm",
-                position=f"point {numbers[int(np.argmin(finite))]}",
-            )
-        )
+    check_coordinates(name, given, "point", numbers)
     least = 3 if closed else 2
     gaps = np.linalg.norm(np.diff(given, axis=0), axis=1)
     ends_meet = len(given) > least and (

@@ -12,7 +12,7 @@ from .. import tolerances
 from ..finding import BendTorsionError, Finding, error, note, warning
 from ..geometry.curve import Curve
 from ..geometry.curve_edit import joined, turned
-from .axis_check import place
+from .axis_check import check_coordinates, place
 
 CHAIN_TOLERANCE = 1.0
 """mm: ends of segments closer than this are one place."""
@@ -59,16 +59,7 @@ def chain_segments(
     left_out: dict[int, Finding] = {}
     index = []
     for k, part in enumerate(given):
-        if not np.isfinite(part).all():
-            raise BendTorsionError(
-                error(
-                    "axis-point-not-a-number",
-                    name,
-                    "coordinate is not a finite number",
-                    "give x, y and z in mm",
-                    position=f"segment {k + 1}",
-                )
-            )
+        check_coordinates(name, part, f"segment {k + 1}")
         if len(part) < 2 or np.ptp(part, axis=0).max() <= tolerance:
             left_out[k] = note(
                 "axis-segment-short",
@@ -171,17 +162,7 @@ def chain_points(name: str, points: np.ndarray, closed: bool = False) -> Chain:
                 limit=MOST_POINTS,
             )
         )
-    if not np.isfinite(given).all():
-        bad = int(np.argmin(np.isfinite(given).all(axis=1))) + 1
-        raise BendTorsionError(
-            error(
-                "axis-point-not-a-number",
-                name,
-                "coordinate is not a finite number",
-                "give x, y and z in mm",
-                position=f"point {bad}",
-            )
-        )
+    check_coordinates(name, given, "point", range(1, len(given) + 1))
     node = _places(given, tolerances.POINTS_COINCIDE)
     _, first = np.unique(node, return_index=True)
     kept = np.sort(first)

@@ -10,6 +10,7 @@ import numpy as np
 
 from ..finding import BendTorsionError, Finding, error
 from ..geometry.curve import Curve
+from .axis_check import check_coordinates, check_curve
 from .axis_input import AxisInput
 from .axis_order import chain_curves
 
@@ -43,20 +44,31 @@ def axis_source(
     polylines: tuple[np.ndarray, ...],
     points: np.ndarray,
     findings: tuple[Finding, ...] = (),
+    unit: float = 1.0,
 ) -> AxisSource:
     """One source from everything that bears one name: exact curves, joined (with polylines as
-    exact legs between them); or else polylines as segments; or else bare points.
+    exact legs between them); or else polylines as segments; or else bare points. All are in units
+    of `unit` mm.
 
-    Raises BendTorsionError for nothing, and for curves that do not form one chain.
+    Raises BendTorsionError for nothing, for numbers out of range, and for curves that do not form
+    one chain.
     """
+    for k, curve in enumerate(curves, start=1):
+        check_curve(name, curve, f"segment {k}", unit)
+    for k, line in enumerate(polylines, start=len(curves) + 1):
+        check_coordinates(name, line, f"segment {k}", unit=unit)
+    points = np.asarray(points, float).reshape(-1, 3)
+    check_coordinates(name, points, "point", range(1, len(points) + 1), unit)
+    curves = tuple(replace(curve, poles=curve.poles * unit) for curve in curves)
+    polylines = tuple(line * unit for line in polylines)
     if curves:
         legs = tuple(_leg(a, b) for line in polylines for a, b in zip(line[:-1], line[1:]))
         curve, found = chain_curves(name, (*curves, *legs))
         return AxisSource(name, curve=curve, findings=(*findings, *found))
     if polylines:
-        return AxisSource(name, segments=tuple(polylines), findings=findings)
+        return AxisSource(name, segments=polylines, findings=findings)
     if len(points):
-        return AxisSource(name, points=np.asarray(points, float), findings=findings)
+        return AxisSource(name, points=points * unit, findings=findings)
     raise BendTorsionError(
         error(
             "axis-source-empty",
