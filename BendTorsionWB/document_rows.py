@@ -31,7 +31,7 @@ from BendTorsionWB.exchange.whole_file import whole_file
 from BendTorsionWB.objects import axis as axis_object
 from BendTorsionWB.objects import end_cuts, plate_parts
 from BendTorsionWB.objects import surface as surface_object
-from BendTorsionWB.objects.member import cut_of
+from BendTorsionWB.objects.member import cut_of, segment_count
 from BendTorsionWB.objects.node import members_of
 from BendTorsionWB.objects.proxy import linked, type_of
 from BendTorsionWB.objects.section_spec import PROPERTY_OF_SIZE
@@ -297,7 +297,7 @@ def _member(obj, kinds, cells: dict[str, list[dict]], settings: Mapping) -> None
         if plates is not None and plates in user.OutListRecursive
     ]
     default_slope = settings.get("default_slope", SETTINGS["default_slope"].default)
-    for k in range(1, obj.Segments + 1):
+    for k in range(1, segment_count(obj) + 1):
         section = linked(obj, f"Section{k}", "SectionSpec")
         row = {"member": obj.Label, "segment": k, "section": section.Label}
         if k == 1:

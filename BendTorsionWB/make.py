@@ -286,6 +286,9 @@ def make_member(
     """
     sections = given.read(name, "sections", sections, given.some_rows)
     segments = given.read(name, "segments", segments, given.rows)
+    most = member_object.MOST_SEGMENTS
+    if len(sections) > most:
+        given.refuse(name, "sections", len(sections), "are too many", f"give {most} at most")
     if len(segments) > len(sections):
         given.refuse(name, "segments", len(segments), "are more than sections", "give one each")
     if not isinstance(thickness, ThicknessRules):

@@ -19,6 +19,7 @@ from BendTorsionWB.objects import section_spec as section_object
 from BendTorsionWB.objects import sheet as sheet_object
 from BendTorsionWB.objects import unfold as unfold_object
 from BendTorsionWB.objects.given import Given
+from BendTorsionWB.objects.member import segment_count
 from BendTorsionWB.objects.new_object import new_object, scripted
 from BendTorsionWB.objects.proxy import type_of
 from BendTorsionWB.sheets.strain_picture import write_strain_picture
@@ -84,7 +85,7 @@ def _is_auto(places: object) -> bool:
 def _faces_of(member) -> list[str]:
     """The faces of a Member's sections; those of a box while they cannot be told."""
     faces = list(BOX_FACES)
-    for k in range(1, getattr(member, "Segments", 0) + 1):
+    for k in range(1, segment_count(member) + 1 if type_of(member) == "Member" else 1):
         try:
             section = section_object.value(getattr(member, f"Section{k}"))
         except (BendTorsionError, AttributeError):

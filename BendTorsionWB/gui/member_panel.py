@@ -13,6 +13,7 @@ from BendTorsionWB.gui.property_form import PropertyForm
 from BendTorsionWB.gui.qt import QtCore, QtWidgets
 from BendTorsionWB.gui.quantity_field import LARGEST
 from BendTorsionWB.gui.task_panel import TaskPanel
+from BendTorsionWB.objects.member import segment_count
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -128,7 +129,8 @@ class MemberPanel(TaskPanel):
     def _segment_words(self) -> list[str]:
         """Each segment with its section."""
         words = translate("BendTorsion", "Segment {number}: {section}")
-        sections = [getattr(self.member, f"Section{k + 1}") for k in range(self.member.Segments)]
+        count = segment_count(self.member)
+        sections = [getattr(self.member, f"Section{k + 1}") for k in range(count)]
         return [
             words.format(number=k, section=section.Label if section else "-")
             for k, section in enumerate(sections, start=1)

@@ -12,6 +12,7 @@ from BendTorsionWB.core.members.segment import ALIGN_TO, ALIGNMENTS, TRANSITIONS
 from BendTorsionWB.gui import finding_words
 from BendTorsionWB.gui.joint_words import joints_text, parse_joints
 from BendTorsionWB.gui.typed_quantity import number_of
+from BendTorsionWB.objects.member import segment_count
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -205,7 +206,7 @@ def rows_of(document) -> list[Row]:
         if getattr(member, "BT_Type", "") != "Member":
             continue
         plates = [user for user in member.InList if getattr(user, "BT_Type", "") == "PlateSet"]
-        for k in range(1, member.Segments + 1):
+        for k in range(1, segment_count(member) + 1):
             rows.append(Row(member, k, plates[0] if plates and k == 1 else None))
     return rows
 

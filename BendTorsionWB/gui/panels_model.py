@@ -13,6 +13,7 @@ from BendTorsionWB.gui.preview import Preview
 from BendTorsionWB.gui.property_form import PropertyForm
 from BendTorsionWB.gui.qt import QtWidgets
 from BendTorsionWB.gui.task_panel import TaskPanel
+from BendTorsionWB.objects.member import segment_count
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -201,12 +202,12 @@ class AlignmentPanel(TaskPanel):
 
     def _align(self, value: str) -> None:
         for member in self.preview.objects:
-            for k in range(1, member.Segments + 1):
+            for k in range(1, segment_count(member) + 1):
                 setattr(member, f"Align{k}", value)
         self.changed()
 
     def _changed_all(self) -> None:
         for member in self.preview.objects:
-            for k in range(2, member.Segments + 1):
+            for k in range(2, segment_count(member) + 1):
                 setattr(member, f"AlignTo{k}", member.AlignTo1)
         self.changed()

@@ -25,6 +25,9 @@ _DISTANCE = "App::PropertyDistance"
 
 
 CUT_BY = ("place", "crossing", "point")
+MOST_SEGMENTS = 200
+"""Of a member. Each has properties of its own, and FreeCAD adds a thousand in seconds, then in
+minutes."""
 
 
 class Member(Proxy):
@@ -110,14 +113,14 @@ class Member(Proxy):
     )
 
     def declared(self, obj):
-        count = obj.Segments if "Segments" in obj.PropertiesList else 1
+        count = segment_count(obj) if "Segments" in obj.PropertiesList else 1
         return (*self.PROPERTIES, *segment_properties(max(1, count)))
 
     def onChanged(self, obj, name):
         """Give each further segment its properties."""
         super().onChanged(obj, name)
         if name == "Segments" and "SchemaVersion" in obj.PropertiesList:
-            for declared in segment_properties(obj.Segments):
+            for declared in segment_properties(segment_count(obj)):
                 add_property(obj, declared)
 
     def build(self, obj):
@@ -138,6 +141,11 @@ class Member(Proxy):
 def _zone_line(zone) -> str:
     slope = f" 1:{zone.slope:.4g}" if zone.slope else ""
     return f"{zone.label} {zone.start:.3f} {zone.end:.3f}{slope} {zone.group}"
+
+
+def segment_count(obj) -> int:
+    """How many segments of a Member have properties: what Segments says, if that can be."""
+    return min(obj.Segments, MOST_SEGMENTS)
 
 
 def segment_properties(count: int) -> tuple[Property, ...]:
@@ -232,6 +240,18 @@ def value(obj) -> detailing.MemberGeometry:
                 limit=1,
             )
         )
+    if obj.Segments > MOST_SEGMENTS:
+        raise BendTorsionError(
+            error(
+                "segments",
+                obj.Label,
+                "more segments than a member can have",
+                "make members of it",
+                position="property Segments",
+                value=obj.Segments,
+                limit=MOST_SEGMENTS,
+            )
+        )
     target = linked(obj, "Axis", "Axis")
     axis = axis_object.value(target)
     segments = tuple(_segment(obj, k, axis) for k in range(1, obj.Segments + 1))
@@ -285,7 +305,7 @@ def reach(obj) -> float:
     """How far from its axis a Member may reach, mm: the circle about its sections, wherever they
     are held, and their offsets. Sections in error count as none."""
     farthest = before = 0.0
-    for k in range(1, obj.Segments + 1):
+    for k in range(1, segment_count(obj) + 1):
         try:
             section = section_object.value(linked(obj, f"Section{k}", "SectionSpec"))
         except BendTorsionError:

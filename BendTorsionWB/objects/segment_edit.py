@@ -10,7 +10,13 @@ import numpy as np
 from BendTorsionWB.core.axes.axis_places import cut_place
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.objects import axis as axis_object
-from BendTorsionWB.objects.member import cut_of, reach, segment_properties
+from BendTorsionWB.objects.member import (
+    MOST_SEGMENTS,
+    cut_of,
+    reach,
+    segment_count,
+    segment_properties,
+)
 from BendTorsionWB.objects.proxy import linked
 
 NAMES = tuple(item.name.removesuffix("1") for item in segment_properties(1))
@@ -40,6 +46,17 @@ def add_cut(
                 unit="mm",
             )
         )
+    if member.Segments >= MOST_SEGMENTS:
+        raise BendTorsionError(
+            error(
+                "segments",
+                member.Label,
+                "more segments than a member can have",
+                "make members of it",
+                value=member.Segments + 1,
+                limit=MOST_SEGMENTS,
+            )
+        )
     before = [cut_length(member, k, axis) for k in range(2, member.Segments + 1)]
     new = 2 + sum(cut < s for cut in before)
     member.Segments += 1
@@ -61,7 +78,7 @@ def middle_of(member, number: int) -> float:
     """The middle of a segment between its cut and the next, mm along the axis. Raises
     BendTorsionError for a member whose axis or cuts cannot be."""
     axis = axis_object.value(linked(member, "Axis", "Axis"))
-    cuts = [cut_length(member, k, axis) for k in range(2, member.Segments + 1)]
+    cuts = [cut_length(member, k, axis) for k in range(2, segment_count(member) + 1)]
     ends = [0.0, *cuts, axis.length]
     return round(0.5 * (ends[number - 1] + ends[number]), 1)
 
