@@ -17,6 +17,7 @@ as not run. Exit code: 1 when a test failed in a lane, and failed again.
 from __future__ import annotations
 
 import argparse
+import fcntl
 import math
 import os
 import platform
@@ -27,6 +28,7 @@ import sys
 import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -91,6 +93,11 @@ class Place:
 def run_suite(suite: Suite, place: Place, arguments: list[str], until: float) -> tuple[int, str]:
     """Run the suite's tests and save a document there; 0 when all is well, and what is to be told.
     Raises OutOfTime."""
+    with _alone(suite.name):
+        return _run_suite(suite, place, arguments, until)
+
+
+def _run_suite(suite: Suite, place: Place, arguments: list[str], until: float) -> tuple[int, str]:
     if place.root != Path("/"):
         copy_checkout(place.folder)
     code, told = 0, ""
@@ -116,6 +123,15 @@ def _tested(run: Callable[[list[str]], int], arguments: list[str]) -> tuple[int,
         return run(AGAIN), ", some tests only when run again alone"
     except OutOfTime:
         return code, ", without the time to run again what failed"
+
+
+@contextmanager
+def _alone(name: str):
+    """Hold a lane: a second run would take the checkout away from below the first."""
+    LANES.mkdir(parents=True, exist_ok=True)
+    with open(LANES / f"{name}.lock", "w", encoding="utf-8") as held:
+        fcntl.flock(held, fcntl.LOCK_EX)
+        yield
 
 
 def compare_carried(suites: Sequence[Suite], until: float) -> list[int]:
