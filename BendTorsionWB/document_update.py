@@ -30,7 +30,7 @@ from BendTorsionWB.document_objects import (
 from BendTorsionWB.document_pairs import counterparts
 from BendTorsionWB.document_settings import keep_rows, keep_style, rows_in, style_in
 from BendTorsionWB.exchange.difference import Change
-from BendTorsionWB.exchange.file_kind import DOCUMENT, check_ending, refuse_loop
+from BendTorsionWB.exchange.file_kind import DOCUMENT, check_ending
 from BendTorsionWB.exchange.linked_documents import linked_documents, refuse_linked
 from BendTorsionWB.exchange.renames import Key
 from BendTorsionWB.exchange.schedule_rows import Schedule
@@ -227,7 +227,6 @@ def open_document(path: Path):
     """A saved document, hidden; raises BendTorsionError for one that cannot be opened."""
     # FreeCAD would open what is no document too, such as a workbook, as a new one.
     check_ending(path, DOCUMENT)
-    refuse_loop(path)
     refuse_linked(path)
     stop_if_asked()
     try:

@@ -106,7 +106,7 @@ def _source_of(schedule: Schedule, row: AxisRow) -> AxisSource:
         return rhino_axis(path, row.source.part)
     from BendTorsionWB.shapes.curve_files import part_axis
 
-    return part_axis(path, row.source.part)
+    return part_axis(path, row.source.part, row.name)
 
 
 def _box(source: AxisSource) -> np.ndarray:

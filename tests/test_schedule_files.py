@@ -3,6 +3,7 @@
 
 import io
 import math
+import os
 import re
 import zipfile
 
@@ -11,7 +12,8 @@ import pytest
 from schedule_books import GOOD, one, write
 
 from BendTorsionWB.core.finding import BendTorsionError
-from BendTorsionWB.exchange.csv_folder import write_folder
+from BendTorsionWB.exchange.csv_folder import parted_folder, write_folder
+from BendTorsionWB.exchange.linked_documents import linked_documents
 from BendTorsionWB.exchange.outside_files import file_of, outside_allowed
 from BendTorsionWB.exchange.schedule import read_schedule
 
@@ -176,3 +178,80 @@ def test_a_member_with_the_name_of_sheets_of_the_project_would_lose_its_own(read
     found = one(read, changes | {("Splits", row, "member"): name for row in (2, 3)})
     assert found.code == "file-name-twice" and found.value == name
     assert found.position == "sheet Members, row 2, column member"
+
+
+@pytest.fixture
+def sheets(tmp_path):
+    """A good schedule as a folder of CSV files."""
+    folder = tmp_path / "sheets"
+    write_folder(folder, rows_of_book(write(tmp_path / "good.xlsx", GOOD)))
+    return folder
+
+
+def test_a_link_in_a_folder_of_csv_files_stays_within_it_unless_allowed(tmp_path, sheets):
+    secret = tmp_path / "secret.csv"
+    (sheets / "Members.csv").rename(secret)
+    (sheets / "Members.csv").symlink_to(secret)
+    finding = one(read_schedule, sheets)
+    assert (finding.code, finding.value) == ("file-outside", "Members.csv")
+    with outside_allowed():
+        assert read_schedule(sheets).members
+    (sheets / "Members.csv").unlink()
+    secret.rename(sheets / "kept.txt")
+    (sheets / "Members.csv").symlink_to("kept.txt")
+    assert read_schedule(sheets).members
+
+
+def test_what_counts_for_a_folder_cut_short_stays_within_it_too(tmp_path, sheets):
+    sheets.rename(tmp_path / "elsewhere")
+    sheets.mkdir()
+    (sheets / ".whole").symlink_to(tmp_path / "elsewhere", target_is_directory=True)
+    with pytest.raises(BendTorsionError) as problem:
+        read_schedule(sheets)
+    assert {finding.code for finding in problem.value.findings} == {"file-outside"}
+
+
+@pytest.mark.parametrize("name", ["p.xlsx", "p.FCStd", "sheets/Members.csv", "p.dxf"])
+def test_a_pipe_or_a_device_is_no_file(tmp_path, sheets, name):
+    """A pipe is waited for, and a device may never end."""
+    if not hasattr(os, "mkfifo"):
+        pytest.skip("there are no pipes in folders")
+    path = tmp_path / name
+    path.unlink(missing_ok=True)
+    for make in (os.mkfifo, lambda path: path.symlink_to(os.devnull)):
+        make(path)
+        if path.suffix == ".dxf":
+            finding = one(file_of, tmp_path, name, "A1")
+        elif path.suffix == ".FCStd":
+            finding = one(linked_documents, path)
+        else:
+            finding = one(read_schedule, sheets if path.suffix == ".csv" else path)
+        assert finding.code == "file-unreadable" and "not a file" in finding.message
+        path.unlink()
+
+
+def test_a_name_too_long_for_the_system_is_told(tmp_path):
+    name = f"{'n' * 300}.step"
+    assert one(read_schedule, tmp_path / name).code == "file-unreadable"
+    finding = one(file_of, tmp_path, name, "A1")
+    assert (finding.code, finding.object) == ("file-unreadable", "A1")
+    assert name in finding.message
+
+
+@pytest.mark.parametrize(
+    "text, unit",
+    [("member" + "," * 20_000, "columns"), ("member\n" + (",,,,,," * 100 + "\n") * 4000, "cells")],
+)
+def test_a_csv_file_has_the_limits_of_a_sheet(sheets, text, unit):
+    (sheets / "Members.csv").write_text(text, encoding="utf-8")
+    finding = one(read_schedule, sheets)
+    assert (finding.code, finding.object, finding.unit) == ("sheet-too-large", "Members.csv", unit)
+    assert finding.value > finding.limit
+
+
+def test_rows_of_commas_alone_are_no_cells(sheets):
+    text = (sheets / "Members.csv").read_text(encoding="utf-8")
+    lines = [f"{line}{',' * 16_000}" for line in text.splitlines()]
+    (sheets / "Members.csv").write_text("\n".join(lines), encoding="utf-8")
+    book, _ = parted_folder(sheets)
+    assert len(book["Members"]._cells) < 50 and read_schedule(sheets).members

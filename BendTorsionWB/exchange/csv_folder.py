@@ -17,9 +17,16 @@ import openpyxl
 from openpyxl.cell.cell import ILLEGAL_CHARACTERS_RE
 
 from BendTorsionWB.core.finding import BendTorsionError, error
-from BendTorsionWB.exchange.file_kind import refuse_loop
+from BendTorsionWB.exchange.file_kind import refuse_no_file
+from BendTorsionWB.exchange.outside_files import refuse_outside
 from BendTorsionWB.exchange.schedule_columns import SHEETS
-from BendTorsionWB.exchange.schedule_headings import TITLE_ROWS, heading_name, sheet_name
+from BendTorsionWB.exchange.schedule_headings import (
+    MOST_CELLS,
+    MOST_COLUMNS,
+    TITLE_ROWS,
+    heading_name,
+    sheet_name,
+)
 from BendTorsionWB.exchange.whole_file import (
     not_written,
     part_beside,
@@ -49,11 +56,13 @@ def parted_folder(folder: Path) -> tuple[openpyxl.Workbook, dict[str, str]]:
 
     Comma, semicolon or tab parts the cells, whichever makes most headings of the sheet; UTF-8,
     UTF-16 with its mark, or GB 18030. Where writing the folder was cut short, what was to be in it.
-    Raises BendTorsionError for files that cannot be read or named after no sheet.
+    Raises BendTorsionError for files that cannot be read, that are named after no sheet, or that
+    links lead to from outside the folder, unless those are allowed (`outside_files`).
     """
     book = openpyxl.Workbook()
     book.remove(book.active)
     faults, separators = [], {}
+    place = folder
     if (folder / WHOLE).is_dir():
         folder = folder / WHOLE
     # A Mac lays a hidden file beside each it copies.
@@ -61,6 +70,8 @@ def parted_folder(folder: Path) -> tuple[openpyxl.Workbook, dict[str, str]]:
     for path in sorted(files, key=lambda path: path.name.lower()):
         columns = [column.name for column in SHEETS.get(sheet_name(path.stem), ())]
         try:
+            refuse_no_file(path)
+            refuse_outside(place, str(path.relative_to(place)), place.name or str(place))
             rows, separator = _parted(path, columns)
             sheet = book.create_sheet(path.stem)
             separators[path.stem] = separator
@@ -74,7 +85,8 @@ def parted_folder(folder: Path) -> tuple[openpyxl.Workbook, dict[str, str]]:
             faults.append(error("sheet-unknown", path.name, "unknown sheet", mend, **fields))
             continue
         for row in rows:
-            sheet.append([cell if cell.strip() else None for cell in row])
+            # Those without a cell take no time: rows of commas alone have thousands.
+            sheet.append({k: cell for k, cell in enumerate(row, start=1) if cell.strip()})
     if faults:
         raise BendTorsionError(faults)
     if not book.worksheets:
@@ -98,7 +110,7 @@ def read_csv(path: Path, columns: Sequence[str] = ()) -> list[list[str]]:
 
 def _parted(path: Path, columns: Sequence[str]) -> tuple[list[list[str]], str]:
     """The rows of a CSV file, and what parts its cells; raises BendTorsionError."""
-    refuse_loop(path)
+    refuse_no_file(path)
     try:
         return _rows(path, columns)
     except FileNotFoundError:
@@ -140,11 +152,22 @@ def _rows(path: Path, columns: Sequence[str]) -> tuple[list[list[str]], str]:
         raise UnicodeError("save it as UTF-8")
     if ILLEGAL_CHARACTERS_RE.search(text):
         raise csv.Error("it holds control characters")
+    lines = max(text.count("\n"), text.count("\r"))
+    _refuse_large(path, lines + max(map(text.count, _SEPARATORS)), MOST_CELLS, "cells")
     first = next((line for line in text.splitlines() if line.strip()), "")
     # A title above the headings may hold any of them, or none.
     separator = max(_SEPARATORS, key=lambda by: (_headings(text, by, columns), first.count(by)))
     rows = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
-    return [[_read(cell) for cell in row] for row in rows], separator
+    read = [[_read(cell) for cell in row] for row in rows]
+    _refuse_large(path, max(map(len, read), default=0), MOST_COLUMNS, "columns")
+    return read, separator
+
+
+def _refuse_large(path: Path, count: int, most: int, unit: str) -> None:
+    if count > most:
+        fields = {"value": count, "limit": most, "unit": unit}
+        message, mend = "is larger than a sheet may be", "delete the empty rows and columns in it"
+        raise BendTorsionError(error("sheet-too-large", path.name, message, mend, **fields))
 
 
 def _headings(text: str, separator: str, columns: Iterable[str]) -> int:
@@ -155,7 +178,8 @@ def _headings(text: str, separator: str, columns: Iterable[str]) -> int:
         top = list(islice(rows, TITLE_ROWS))
     except csv.Error:
         return 0
-    return max((sum(heading_name(cell, known) in known for cell in row) for row in top), default=0)
+    found = [{heading_name(cell, known) for cell in {*row[:MOST_COLUMNS]}} & known for row in top]
+    return max(map(len, found), default=0)
 
 
 def write_folder(folder: Path, sheets: Mapping[str, Sequence[Sequence]]) -> None:

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import errno
 import os
+import stat
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from ..core.finding import BendTorsionError, error
@@ -35,20 +37,30 @@ def check_ending(path: str | os.PathLike, endings: Sequence[str]) -> None:
     )
 
 
-def refuse_loop(path: str | os.PathLike, object: str = "") -> None:
-    """Raises BendTorsionError for a link that leads back to itself: no file can be read there.
-    object: what names the file, the file itself when left out."""
+def refuse_no_file(path: str | os.PathLike, object: str = "") -> None:
+    """Raises BendTorsionError where no file can be: at a link that leads back to itself, a name
+    longer than the system takes, a device or a pipe, which may never end. Folders, and what is not
+    there, are told by those who read. object: what names the file, the file itself when left out.
+    """
+    name, fields = Path(path).name, {"value": str(path)}
+    fault = None
     try:
-        os.stat(path)
+        mode = os.stat(path).st_mode
     except OSError as failure:
         if failure.errno == errno.ELOOP:
-            name, told = Path(path).name, "is a link that leads back to itself"
-            raise BendTorsionError(
-                error(
-                    "file-unreadable",
-                    object or name,
-                    f"{name} {told}" if object else told,
-                    "put the file itself in its place",
-                    value=str(path),
-                )
-            ) from None
+            loop = "is a link that leads back to itself"
+            put = "put the file itself in its place"
+            fault = error("file-unreadable", name, loop, put, **fields)
+        elif failure.errno == errno.ENAMETOOLONG:
+            long = "is longer than a file's name may be"
+            fault = error("file-unreadable", name, long, "shorten it", **fields)
+    else:
+        if not stat.S_ISREG(mode) and not stat.S_ISDIR(mode):
+            endless = "is a device or a pipe, not a file"
+            save = "save what it gives as a file"
+            fault = error("file-unreadable", name, endless, save, **fields)
+    if fault is None:
+        return
+    if object:
+        fault = replace(fault, object=object, message=f"{name}: {fault.message}")
+    raise BendTorsionError(fault)

@@ -8,11 +8,14 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 from BendTorsionWB.core.finding import BendTorsionError, error
+from BendTorsionWB.exchange.file_kind import refuse_no_file
 
 
 def linked_documents(path: Path) -> tuple[str, ...]:
     """Names of the documents that a saved document links to, as it says them; none for a document
-    with objects of ours, and for what is no document. Nothing is opened in FreeCAD."""
+    with objects of ours, and for what is no document. Nothing is opened in FreeCAD. Raises
+    BendTorsionError for a device or a pipe, as `refuse_no_file`."""
+    refuse_no_file(path)
     try:
         with zipfile.ZipFile(path) as archive:
             root = ElementTree.fromstring(archive.read("Document.xml"))

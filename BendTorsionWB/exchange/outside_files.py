@@ -13,7 +13,7 @@ from contextvars import ContextVar
 from pathlib import Path
 
 from BendTorsionWB.core.finding import BendTorsionError, error
-from BendTorsionWB.exchange.file_kind import refuse_loop
+from BendTorsionWB.exchange.file_kind import refuse_no_file
 
 _allowed = ContextVar("files outside the schedule's folder are allowed", default=False)
 
@@ -30,11 +30,21 @@ def outside_allowed(allowed: bool = True) -> Iterator[None]:
 
 def file_of(folder: str | os.PathLike, name: str, object: str) -> Path:
     """The path of a file named by a schedule; raises BendTorsionError for one outside its folder,
-    also by a link, for a link that leads back to itself, and for a device."""
+    also by a link, and for what is no file."""
     path = Path(folder) / name
-    refuse_loop(path, object)
+    refuse_no_file(path, object)
+    refuse_outside(folder, name, object)
+    if path.is_dir():
+        mend = "name a STEP, IGES, BREP, DXF or Rhino file"
+        raise BendTorsionError(error("file-kind", object, f"{name}: is no file", mend, value=name))
+    return path
+
+
+def refuse_outside(folder: str | os.PathLike, name: str, object: str) -> None:
+    """Raises BendTorsionError for a file that lies outside a schedule's folder, also by a link,
+    unless those are read as well."""
     try:
-        inside = Path(folder or ".").resolve() in path.resolve().parents
+        inside = Path(folder or ".").resolve() in (Path(folder) / name).resolve().parents
     except (OSError, ValueError, RuntimeError):
         inside = False
     if not inside and not _allowed.get():
@@ -47,7 +57,3 @@ def file_of(folder: str | os.PathLike, name: str, object: str) -> Path:
                 value=name,
             )
         )
-    if path.exists() and not path.is_file():
-        mend = "name a STEP, IGES, BREP, DXF or Rhino file"
-        raise BendTorsionError(error("file-kind", object, f"{name}: is no file", mend, value=name))
-    return path

@@ -6,6 +6,10 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Iterable, Sequence
 
+MOST_CELLS = 2_000_000
+"""Cells of the rectangle a sheet may span."""
+MOST_COLUMNS = 16_384
+"""Columns of a sheet in spreadsheet programs."""
 TITLE_ROWS = 12
 """Rows a table's headings are looked for in: titles, dates and logos may stand above."""
 
@@ -186,7 +190,8 @@ def heading_name(value, columns: Iterable[str]) -> str:
     known = tuple(columns)
     if written in known:
         return written
-    alike = [name for name in known if name.lower() == _plain(written)]
+    plain = _plain(written)
+    alike = [name for name in known if name.lower() == plain]
     if alike:
         return alike[0]
     alias = _plain(written.split("(")[0].split("（")[0])

@@ -12,20 +12,18 @@ from openpyxl.utils import get_column_letter
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error
 from BendTorsionWB.exchange.csv_folder import parted_folder
 from BendTorsionWB.exchange.decimal_marks import DecimalMarks, decimal_marks, holds_numbers
+from BendTorsionWB.exchange.file_kind import refuse_no_file
 from BendTorsionWB.exchange.output_folder import MANIFEST
 from BendTorsionWB.exchange.schedule_cells import BadCell, Percent, did_you_mean
 from BendTorsionWB.exchange.schedule_columns import OPTIONAL_SHEETS, SHEETS
 from BendTorsionWB.exchange.schedule_headings import (
+    MOST_CELLS,
     TITLE_ROWS,
     heading_name,
     heading_row,
     sheet_name,
 )
 from BendTorsionWB.exchange.workbook_file import open_workbook
-
-MOST_CELLS = 2_000_000
-"""Cells of the rectangle a sheet may span."""
-
 
 _WRITTEN = {
     ("Summary", "Plates", "Checks"): "a results file",
@@ -127,6 +125,7 @@ def read_records(path) -> tuple[dict[str, list[Record] | None], list[tuple[Place
     Raises BendTorsionError with one finding when the file cannot be opened as a workbook.
     """
     path = Path(path)
+    refuse_no_file(path)
     _refuse_kind(path)
     hollow, broken, separators = {}, [], {}
     if path.is_dir():

@@ -20,7 +20,7 @@ from openpyxl.utils.cell import coordinate_to_tuple
 from openpyxl.utils.exceptions import InvalidFileException
 
 from BendTorsionWB.core.finding import BendTorsionError, error
-from BendTorsionWB.exchange.file_kind import refuse_loop
+from BendTorsionWB.exchange.file_kind import refuse_no_file
 
 LARGEST_UNPACKED = 200e6
 """Bytes a workbook may unpack to."""
@@ -71,7 +71,7 @@ def open_workbook(path: Path) -> tuple[openpyxl.Workbook, dict, list[NoNumber]]:
     def refuse(code, message, mend, **fields):
         return BendTorsionError(error(code, path.name or str(path), message, mend, **fields))
 
-    refuse_loop(path)
+    refuse_no_file(path)
     try:
         content = path.read_bytes()
     except FileNotFoundError:
