@@ -7,7 +7,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import ExitStack, contextmanager, suppress
 
 CLOSED = 141
 """The exit code of a program whose reader closed the pipe: 128 and SIGPIPE."""
@@ -64,18 +64,23 @@ class _Watched:
 @contextmanager
 def watched() -> Iterator[None]:
     """Raises OutputLost where standard output or error cannot be written, at the end of the block
-    at the latest."""
+    at the latest. What is told to one that was closed before is told nowhere."""
     former = sys.stdout, sys.stderr
-    # A program without a console has neither.
-    sys.stdout, sys.stderr = (stream and _Watched(stream) for stream in former)
-    try:
+    with ExitStack() as nowhere:
+        # A program without a console has neither. What is opened takes the number of the closed
+        # stream, so that no file that is written gets what libraries print there.
+        sys.stdout, sys.stderr = (
+            _Watched(stream or nowhere.enter_context(open(os.devnull, "w", encoding="utf-8")))
+            for stream in former
+        )
         try:
-            yield
+            try:
+                yield
+            finally:
+                for stream in (sys.stdout, sys.stderr):
+                    stream.flush()
         finally:
-            for stream in filter(None, (sys.stdout, sys.stderr)):
-                stream.flush()
-    finally:
-        sys.stdout, sys.stderr = former
+            sys.stdout, sys.stderr = former
 
 
 def _discard(stream) -> None:

@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from schedule_books import GOOD, write
 
 from BendTorsionWB import standard_output
 from BendTorsionWB.__main__ import main
@@ -85,3 +86,9 @@ def test_a_broken_pipe_of_something_else_is_a_fault_still(monkeypatch, capsys):
     monkeypatch.setitem(sys.modules["BendTorsionWB.__main__"]._COMMANDS, "new", command)
     assert main(["new"]) == 1
     assert "unexpected BrokenPipeError" in capsys.readouterr().err
+
+
+def test_messages_to_a_closed_stream_go_nowhere(monkeypatch, tmp_path, capsys):
+    monkeypatch.setattr(sys, "stderr", None)
+    assert main(["check", str(write(tmp_path / "hall.xlsx", GOOD)), "--jobs", "1"]) == 0
+    assert sys.stderr is None and "unexpected" not in capsys.readouterr().out
