@@ -18,6 +18,7 @@ from BendTorsionWB.document import build_document
 from BendTorsionWB.document_export import export_document, records_of, write_figures
 from BendTorsionWB.document_templates import new_document
 from BendTorsionWB.model_files import checked_recompute
+from BendTorsionWB.objects.preference import recomputes
 from BendTorsionWB.objects.repair import repair as give_back
 from BendTorsionWB.objects.told import PROGRESS
 from BendTorsionWB.project import BuildResult, detail_members, read_project
@@ -92,7 +93,8 @@ def write_package(document, folder: str | os.PathLike) -> BuildResult:
     active = FreeCAD.ActiveDocument
     with tempfile.TemporaryDirectory() as beside:
         copy = Path(beside) / "document.FCStd"
-        document.recompute()
+        with recomputes(document):
+            document.recompute()
         document.saveCopy(str(copy))
         try:
             return export_document(copy, folder, workers=1, progress=PROGRESS.get())

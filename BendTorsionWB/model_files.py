@@ -98,16 +98,16 @@ def model_parts(members: Sequence[str], split: int = 0) -> list[ModelPart]:
 
 
 def checked_recompute(document) -> tuple[Finding, ...]:
-    """Recompute and return the errors of all objects: `recompute` itself never tells. Raises
-    BendTorsionError for objects that lost what computes them, and for those that depend on each
-    other in a circle."""
-    from BendTorsionWB.objects.preference import without_faces
+    """Recompute, also where recomputes are skipped, and return the errors of all objects:
+    `recompute` itself never tells. Raises BendTorsionError for objects that lost what computes
+    them, and for those that depend on each other in a circle."""
+    from BendTorsionWB.objects.preference import recomputes, without_faces
     from BendTorsionWB.objects.proxy import findings_of
     from BendTorsionWB.objects.repair import refuse_bare
 
     refuse_bare(document.Objects)
     refuse_cycle(document)
-    with to_the_end(), without_faces():
+    with to_the_end(), without_faces(), recomputes(document):
         document.recompute()
     findings = []
     for obj in document.Objects:

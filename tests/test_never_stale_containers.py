@@ -6,7 +6,7 @@ import FreeCAD
 import Part
 import pytest
 
-from BendTorsionWB import make
+from BendTorsionWB import make, make_files
 from BendTorsionWB.document_export import records_of
 from BendTorsionWB.objects.proxy import findings_of
 from BendTorsionWB.solid_files import named_solids
@@ -194,3 +194,18 @@ def test_links_to_nothing_and_to_what_is_in_error_are_told(model, target):
     codes = {finding.code for finding in findings_of(model.Member)}
     assert model.Member.Status.startswith("error") and "internal-error" not in codes
     assert not model.PlateSet.Shape.SubShapes
+
+
+def test_skipped_recomputes_are_made_before_anything_is_judged_or_written(model, tmp_path):
+    make.make_unfold(model, model.PlateSet)
+    model.recompute()
+    model.RecomputesFrozen = True
+    model.SectionSpec.Height = 700.0
+    (record,) = records_of(model).records.values()
+    assert record.plates and model.RecomputesFrozen
+    assert model.PlateSet.Shape.BoundBox.ZLength == pytest.approx(700.0)
+    model.SectionSpec.Height = 0.0
+    for told in (make_files.check(model), make_files.write_report(model, tmp_path / "r.json")):
+        assert told and {finding.severity for finding in told} == {"error"}
+        model.SectionSpec.touch()
+    assert model.RecomputesFrozen and not model.PlateSet.Shape.SubShapes

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Preferences of FreeCAD that hold for a while only."""
+"""Preferences of FreeCAD, and of a document, that hold for a while only."""
 
 from __future__ import annotations
 
@@ -44,3 +44,14 @@ def without_faces():
     return (
         nullcontext() if FreeCAD.GuiUp else preference("Mod/TechDraw/General", "HandleFaces", False)
     )
+
+
+@contextmanager
+def recomputes(document):
+    """A document that recomputes inside the block, also where FreeCAD's *Skip recomputes* is on."""
+    skipped = document.RecomputesFrozen
+    document.RecomputesFrozen = False
+    try:
+        yield
+    finally:
+        document.RecomputesFrozen = skipped
