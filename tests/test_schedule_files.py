@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Schedule files that are damaged, locked, too large or no workbooks: one line each."""
 
+import copy
 import io
 import math
 import os
@@ -13,6 +14,7 @@ from schedule_books import GOOD, one, write
 
 from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.exchange.csv_folder import parted_folder, write_folder
+from BendTorsionWB.exchange.file_name import file_name
 from BendTorsionWB.exchange.linked_documents import linked_documents
 from BendTorsionWB.exchange.outside_files import file_of, outside_allowed
 from BendTorsionWB.exchange.schedule import read_schedule
@@ -123,6 +125,15 @@ def test_a_link_that_leads_to_itself_is_told_as_such(tmp_path):
         [finding] = problem.value.findings
         assert (finding.code, finding.object) == ("file-unreadable", "A1")
         assert "a.dxf" in finding.message and "outside" not in finding.line()
+        assert str(tmp_path) not in finding.line()
+
+
+def test_a_path_of_windows_lies_outside_everywhere_and_is_told_whole(tmp_path):
+    for name in ("C:/Windows/x.step", "//server/share/x.step"):
+        with pytest.raises(BendTorsionError) as problem:
+            file_of(tmp_path, name, "A1")
+        [finding] = problem.value.findings
+        assert (finding.code, finding.value) == ("file-outside", name)
 
 
 @pytest.mark.parametrize(
@@ -255,3 +266,16 @@ def test_rows_of_commas_alone_are_no_cells(sheets):
     (sheets / "Members.csv").write_text("\n".join(lines), encoding="utf-8")
     book, _ = parted_folder(sheets)
     assert len(book["Members"]._cells) < 50 and read_schedule(sheets).members
+
+
+@pytest.mark.parametrize("char", "\u202e\u2066\u200b\ufeff\x7f")
+def test_names_with_characters_that_are_not_seen_are_refused(tmp_path, char):
+    for sheet in ("Members", "Materials"):
+        sheets = copy.deepcopy(GOOD)
+        sheets[sheet][-1][0] = f"gpj.{char}1M"
+        with pytest.raises(BendTorsionError) as problem:
+            read_schedule(write(tmp_path / "hall.xlsx", sheets))
+        told = [finding for finding in problem.value.findings if finding.code == "bad-name"]
+        assert len(told) == 1 and f"U+{ord(char):04X}" in told[0].message
+        assert char not in told[0].line()
+    assert file_name(f"gpj.{char}1M").startswith("gpj._1M-")

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass
 
@@ -49,7 +50,7 @@ class Finding:
         text += self.figures(length)
         if self.mend:
             text += f" -> {self.mend}"
-        return " ".join(text.split())
+        return _seen(" ".join(text.split()))
 
     def figures(self, length: Callable[[float], str] | None = None) -> str:
         """Value and limit as they stand behind the message; empty where there are none. length: as
@@ -64,6 +65,14 @@ class Finding:
     def as_dict(self) -> dict:
         """The record as plain JSON data, fields in their declared order."""
         return asdict(self)
+
+
+def _seen(text: str) -> str:
+    """A text with the codes of characters that are not seen: some turn the order of the line."""
+    if text.isprintable():
+        return text
+    hidden = {char for char in text if unicodedata.category(char) in ("Cc", "Cf")}
+    return text.translate({ord(char): f"U+{ord(char):04X}" for char in hidden})
 
 
 def figure_text(value: float | str, unit: str, length: Callable[[float], str] | None = None) -> str:

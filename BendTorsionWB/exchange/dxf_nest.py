@@ -11,13 +11,13 @@ import numpy as np
 from ..core.lofting import DevelopedPlate, MemberRecord
 from .dxf import LAYERS, layers_of
 from .dxf_file import Frame, Space, dxf_bytes, new_frame, read_model
-from .file_name import digits, same_file
+from .file_name import digits, same_file, seen
 
 GAP = 100.0
 """mm; distance of the plates."""
 
 FOLDER = "plates/all"
-_REFUSED = re.compile(r'[\x00-\x1f<>:"/\\|?*;=`,]')
+_REFUSED = re.compile(r'[<>:"/\\|?*;=`,]')
 
 
 def groups_of(records: Sequence[MemberRecord]) -> dict[str, list[DevelopedPlate]]:
@@ -29,7 +29,7 @@ def groups_of(records: Sequence[MemberRecord]) -> dict[str, list[DevelopedPlate]
     named: dict[str, list[DevelopedPlate]] = {}
     taken = set()
     for thickness, material in sorted(groups, key=lambda key: (-float(key[0]), key[1])):
-        grade = _REFUSED.sub("_", material).strip(" .")
+        grade = _REFUSED.sub("_", seen(material)).strip(" .")
         if same_file(f"{thickness} {grade}") in taken:
             # A shop takes the plates of a file for one grade.
             grade = f"{grade}-{digits(material)}"
@@ -62,7 +62,7 @@ def nest_dxf(files: Sequence[tuple[str, bytes]], frame: Frame | None = None) -> 
 def _block_names(marks: Sequence[str]) -> list[str]:
     names: dict[str, None] = {}
     for mark in marks:
-        name = _REFUSED.sub("_", mark)
+        name = _REFUSED.sub("_", seen(mark))
         while name in names:
             name += "_"
         names[name] = None

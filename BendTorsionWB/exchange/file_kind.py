@@ -42,7 +42,8 @@ def refuse_no_file(path: str | os.PathLike, object: str = "") -> None:
     longer than the system takes, a device or a pipe, which may never end. Folders, and what is not
     there, are told by those who read. object: what names the file, the file itself when left out.
     """
-    name, fields = Path(path).name, {"value": str(path)}
+    name = Path(path).name
+    fields = {"value": name}
     fault = None
     try:
         mode = os.stat(path).st_mode

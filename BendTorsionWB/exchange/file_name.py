@@ -8,7 +8,7 @@ import re
 import unicodedata
 
 LONGEST = 80
-_REFUSED = re.compile(r'[\x00-\x1f\x7f<>:"/\\|?*#]')
+_REFUSED = re.compile(r'[<>:"/\\|?*#]')
 _DEVICE = re.compile(r"(con|prn|aux|nul|com[0-9¹²³]|lpt[0-9¹²³]|conin\$|conout\$)", re.IGNORECASE)
 
 
@@ -23,11 +23,22 @@ def same_file(name: str) -> str:
     return unicodedata.normalize("NFC", unicodedata.normalize("NFC", name).casefold())
 
 
+def unseen(text: str) -> str:
+    """The characters of a text that are not seen themselves: control and format characters, of
+    which some turn the order of all that follow."""
+    return "".join(char for char in text if unicodedata.category(char) in ("Cc", "Cf"))
+
+
+def seen(text: str) -> str:
+    """A text with `_` for what is not seen."""
+    return text.translate(dict.fromkeys(map(ord, unseen(text)), "_"))
+
+
 def file_name(text: str) -> str:
     """A text as the name of a file without its ending: what a file system would refuse or read as
     a path is `_`, and it is cut to LONGEST characters. Texts that differ have names that differ:
     one that is changed ends in six digits of its hash."""
-    name = _REFUSED.sub("_", text).strip(" .")[:LONGEST].strip(" .")
+    name = _REFUSED.sub("_", seen(text)).strip(" .")[:LONGEST].strip(" .")
     name = f"_{name}" if not name or is_device(name) else name
     if name == text:
         return name

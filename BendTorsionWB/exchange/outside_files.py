@@ -10,7 +10,7 @@ import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.exchange.file_kind import refuse_no_file
@@ -47,6 +47,8 @@ def refuse_outside(folder: str | os.PathLike, name: str, object: str) -> None:
         inside = Path(folder or ".").resolve() in (Path(folder) / name).resolve().parents
     except (OSError, ValueError, RuntimeError):
         inside = False
+    # Elsewhere than on Windows its paths are names of files that happen to hold a colon.
+    inside = inside and not PureWindowsPath(name).is_absolute()
     if not inside and not _allowed.get():
         raise BendTorsionError(
             error(

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from ..core.finding import BendTorsionError
 from ..core.members.thickness import STAGGER_WORDS, stagger_offsets
 from ..core.patterns.layer_names import named_layers
-from .file_name import is_device
+from .file_name import is_device, unseen
 
 # Beyond any site grid in mm; larger figures are slips that would only overflow later.
 LARGEST_NUMBER = 1e10
@@ -23,7 +23,7 @@ LONGEST_NAME = 64
 
 _NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
 _GROUPS = re.compile(r"[+-]?[1-9]\d{0,2}(,\d{3})+")
-_NOT_IN_A_FILE_NAME = re.compile(r'[<>:"/\\|?*,;\x00-\x1f]')
+_NOT_IN_A_FILE_NAME = re.compile(r'[<>:"/\\|?*,;]')
 
 
 class Percent(float):
@@ -156,7 +156,8 @@ def text(value) -> str:
 
 @dataclass(frozen=True)
 class Name:
-    """Reads a name; one that also names files has no sign a file system would refuse."""
+    """Reads a name, all of whose characters are seen; one that also names files has no sign a file
+    system would refuse."""
 
     names_files: bool = False
 
@@ -165,6 +166,11 @@ class Name:
         if len(name) > LONGEST_NAME:
             mend = f"shorten it to {LONGEST_NAME} characters"
             raise BadCell("name-too-long", "the name is too long", mend, LONGEST_NAME)
+        hidden = unseen(name)
+        if hidden:
+            codes = ", ".join(f"U+{ord(char):04X}" for char in dict.fromkeys(hidden))
+            message = f"the name holds characters that are not seen: {codes}"
+            raise BadCell("bad-name", message, "type the name anew")
         unfit = _NOT_IN_A_FILE_NAME.search(name) or name.startswith(".") or name.endswith(".")
         unfit = unfit or is_device(name)
         if self.names_files and unfit:
