@@ -4,6 +4,7 @@ found in it, without names of users, machines and folders."""
 
 from __future__ import annotations
 
+import csv
 import getpass
 import io
 import json
@@ -16,7 +17,7 @@ import sys
 import tempfile
 import traceback
 import zipfile
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from importlib import metadata
 from pathlib import Path
 
@@ -27,6 +28,7 @@ from BendTorsionWB.core.finding import BendTorsionError
 from BendTorsionWB.document_export import source_records
 from BendTorsionWB.exchange import report
 from BendTorsionWB.exchange.csv_folder import csv_bytes, read_folder
+from BendTorsionWB.exchange.schedule_headings import sheet_name
 from BendTorsionWB.exchange.whole_file import write_whole
 from BendTorsionWB.exchange.workbook_file import open_workbook
 from BendTorsionWB.round_trip import write_document_back
@@ -40,12 +42,14 @@ _PATH = re.compile(
     r"(?=[^\\/\s\"'<>|]+[\s\"'<>|,;:)]|[^\\/\s\"'<>|]+$)",
     re.MULTILINE,
 )
+_MAIL = re.compile(r"[\w.+%-]+@[\w-]+(?:\.[\w-]+)+")
 _ABOUT = """What BendTorsion collected for a report, all of it text to read before it is sent:
 versions.json     programs and libraries
 preferences.json  BendTorsion's preferences in FreeCAD
 findings.txt      what is found in the schedule or document
 schedule/         its tables, one file each
-Folders, user and machine are left out; names of members, projects and marks are as given.
+Folders, user, machine, the author and e-mail addresses are left out; names of members, projects
+and marks are as given.
 """
 
 
@@ -63,10 +67,12 @@ def write_bundle(path: str | os.PathLike, source: str | os.PathLike = "") -> tup
     if source:
         texts["findings.txt"] = _findings(Path(source))
         texts |= {f"schedule/{name}.csv": text for name, text in _tables(Path(source)).items()}
+    persons = {str(preferences().get("Author", "")), *_authors(texts)}
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, text in texts.items():
-            archive.writestr(zipfile.ZipInfo(name), without_places(text).encode("utf-8"))
+            private = without_persons(without_places(text), persons)
+            archive.writestr(zipfile.ZipInfo(name), private.encode("utf-8"))
     write_whole(Path(path), stream.getvalue())
     return tuple(texts)
 
@@ -108,6 +114,26 @@ def without_places(text: str) -> str:
         if len(name) >= _SHORTEST_NAME:
             text = re.sub(rf"(?<!\w){re.escape(name)}(?!\w)", instead, text)
     return text
+
+
+def without_persons(text: str, authors: Iterable[str] = ()) -> str:
+    """A text without e-mail addresses and without the names of those who drew the sheets."""
+    text = _MAIL.sub("e-mail", text)
+    for name in authors:
+        # One letter would be that of a face.
+        if len(name) > 1:
+            text = re.sub(rf"(?<!\w){re.escape(name)}(?!\w)", "author", text)
+    return text
+
+
+def _authors(texts: Mapping[str, str]) -> Iterator[str]:
+    """Who drew the sheets, by the tables of settings among these files."""
+    for name, text in texts.items():
+        folder, _, table = name.removesuffix(".csv").partition("/")
+        if folder == "schedule" and sheet_name(table) == "Settings":
+            for key, value, *_ in filter(lambda row: len(row) > 1, csv.reader(io.StringIO(text))):
+                if key.strip().lower() == "author":
+                    yield value.strip()
 
 
 def _user() -> str:

@@ -22,6 +22,8 @@ def bundle(tmp_path_factory):
     book = openpyxl.load_workbook(write(folder / "schedule.xlsx", GOOD))
     book.properties.creator = "A. Person"
     book["Settings"].append(["drawing", "/home/somebody private/hall/site plan.dxf"])
+    book["Settings"].append(["author", "Jane Q. Doe"])
+    book["Settings"].append(["note of Jane Q. Doe", "ask j.doe+steel@firm.example, please"])
     book.save(folder / "schedule.xlsx")
     out = folder / "support.zip"
     assert main(["support", str(folder / "schedule.xlsx"), "--out", str(out)]) == 0
@@ -41,9 +43,11 @@ def test_it_holds_versions_preferences_findings_and_tables(bundle):
 def test_nothing_in_it_names_a_place_or_a_person(bundle):
     """Neither folders nor authors, and the file's own name stays."""
     whole = "\n".join(bundle.values())
-    for private in ("somebody", "private", "A. Person", str(Path.home()) + "/"):
+    gone = ("somebody", "private", "A. Person", "Jane", "firm.example", "doe")
+    for private in (*gone, str(Path.home()) + "/"):
         assert private not in whole
     assert "site plan.dxf" in bundle["schedule/Settings.csv"]
+    assert "author,author" in bundle["schedule/Settings.csv"]
 
 
 @pytest.mark.parametrize(
@@ -77,3 +81,13 @@ def test_a_source_that_cannot_be_read_is_told_in_the_bundle(tmp_path):
     with zipfile.ZipFile(tmp_path / "support.zip") as archive:
         assert "not an Excel workbook" in archive.read("findings.txt").decode()
         assert set(archive.namelist()) == set(names)
+
+
+def test_whoever_drew_it_is_named_in_no_table_and_no_preference(tmp_path, monkeypatch):
+    """Names of two letters, too; the letter of a face stays."""
+    monkeypatch.setattr(support, "preferences", lambda: {"Author": "John Roe"})
+    names = support.write_bundle(tmp_path / "support.zip")
+    with zipfile.ZipFile(tmp_path / "support.zip") as archive:
+        whole = "".join(archive.read(name).decode() for name in names)
+    assert "Roe" not in whole and '"Author": "author"' in whole
+    assert support.without_persons("李明, M1-T3, T", ["李明", "T"]) == "author, M1-T3, T"
