@@ -9,6 +9,7 @@ import os
 import re
 import shutil
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from itertools import islice
 from pathlib import Path
@@ -41,7 +42,9 @@ WHOLE = ".whole"
 """Folder within the folder, there only while its files are being written."""
 _SEPARATORS = (",", ";", "\t")
 _ENCODINGS = ("utf-8-sig", "gb18030")
-_FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
+# With apostrophes of its own before it, so that reading takes away the one put here. Spreadsheets
+# set for Chinese take full-width signs as well.
+_FORMULA = re.compile("'*[=+\\-@\t\r＝＋－＠]")
 _NUMBER = re.compile(r"[+-]?\d+(\.\d*)?([eE][+-]?\d+)?%?")
 
 
@@ -189,6 +192,7 @@ def write_folder(folder: Path, sheets: Mapping[str, Sequence[Sequence]]) -> None
     are removed. Raises BendTorsionError."""
     whole = folder / WHOLE
     part = part_beside(whole)
+    made = not folder.exists()
     try:
         folder.mkdir(parents=True, exist_ok=True)
         remove_parts(folder)
@@ -205,6 +209,10 @@ def write_folder(folder: Path, sheets: Mapping[str, Sequence[Sequence]]) -> None
         raise BendTorsionError(not_written(folder, failure)) from failure
     finally:
         shutil.rmtree(part, ignore_errors=True)
+        if made:
+            # Nothing could be written into it.
+            with suppress(OSError):
+                folder.rmdir()
 
 
 def _into(whole: Path, folder: Path) -> None:
@@ -232,11 +240,11 @@ def _written(cell):
     """A cell as written; text no spreadsheet takes for a formula: with an apostrophe before it."""
     if cell is None:
         return ""
-    if isinstance(cell, str) and cell.startswith(_FORMULA_STARTS) and not _NUMBER.fullmatch(cell):
+    if isinstance(cell, str) and _FORMULA.match(cell) and not _NUMBER.fullmatch(cell):
         return f"'{cell}"
     return cell
 
 
 def _read(cell: str) -> str:
     """A cell without the apostrophe `_written` puts before it."""
-    return cell[1:] if cell[:1] == "'" and cell[1:].startswith(_FORMULA_STARTS) else cell
+    return cell[1:] if cell[:1] == "'" and _FORMULA.match(cell[1:]) else cell
