@@ -13,13 +13,9 @@ import pytest
 from schedule_books import GOOD, one, write
 
 from BendTorsionWB.core.finding import BendTorsionError
-<<<<<<< HEAD
-from BendTorsionWB.exchange.csv_folder import parted_folder, write_folder
-from BendTorsionWB.exchange.file_name import file_name
-=======
 from BendTorsionWB.exchange import csv_folder
 from BendTorsionWB.exchange.csv_folder import parted_folder, read_csv, write_folder
->>>>>>> eda681d (Text behind apostrophes comes back from CSV as it was, full-width signs too; a folder nothing could be written into is not left)
+from BendTorsionWB.exchange.file_name import file_name
 from BendTorsionWB.exchange.linked_documents import linked_documents
 from BendTorsionWB.exchange.outside_files import file_of, outside_allowed
 from BendTorsionWB.exchange.schedule import read_schedule
@@ -273,7 +269,6 @@ def test_rows_of_commas_alone_are_no_cells(sheets):
     assert len(book["Members"]._cells) < 50 and read_schedule(sheets).members
 
 
-<<<<<<< HEAD
 @pytest.mark.parametrize("char", "\u202e\u2066\u200b\ufeff\x7f")
 def test_names_with_characters_that_are_not_seen_are_refused(tmp_path, char):
     for sheet in ("Members", "Materials"):
@@ -285,7 +280,8 @@ def test_names_with_characters_that_are_not_seen_are_refused(tmp_path, char):
         assert len(told) == 1 and f"U+{ord(char):04X}" in told[0].message
         assert char not in told[0].line()
     assert file_name(f"gpj.{char}1M").startswith("gpj._1M-")
-=======
+
+
 @pytest.mark.parametrize("sign", "=+-@＝＋－＠")
 def test_text_that_may_be_a_formula_comes_back_as_it_was(tmp_path, sign):
     texts = [f"{marks}{sign}M1" for marks in ("", "'", "''")] + ["'M1", f"{sign}1"]
@@ -305,4 +301,3 @@ def test_a_folder_nothing_could_be_written_into_is_not_left(tmp_path, monkeypatc
         with pytest.raises(BendTorsionError):
             write_folder(tmp_path / name, {"Members": [["member"]]})
         assert (tmp_path / name).exists() == stays
->>>>>>> eda681d (Text behind apostrophes comes back from CSV as it was, full-width signs too; a folder nothing could be written into is not left)
