@@ -277,15 +277,15 @@ class OutputFolder:
             return ()
 
     def _once(self, name: str) -> None:
+        if "\0" in name or not self._within.holds(name):
+            mend = "rename the member, section or plate it is named after"
+            raise BendTorsionError(error("file-outside", name, "lies outside the folder", mend))
         if same_file(name) in self._made:
             message, mend = "two files of the build have this name", "rename what it is named after"
             raise BendTorsionError(error("file-name-twice", name, message, mend))
         self._made.add(same_file(name))
 
     def _note(self, name: str, own: OwnFile) -> None:
-        if "\0" in name or not self._within.holds(name):
-            mend = "rename the member, section or plate it is named after"
-            raise BendTorsionError(error("file-outside", name, "lies outside the folder", mend))
         line = "".join((own.as_json(name), "\n"))
         try:
             self.out.mkdir(parents=True, exist_ok=True)
