@@ -194,7 +194,7 @@ def spline(space, weights=(1, 1, 2, 1), end=1.0):
         ("axis-curve-knots", lambda space: spline(space, end=math.nan)),
     ],
 )
-@pytest.mark.filterwarnings("error")
+@pytest.mark.filterwarnings("error::RuntimeWarning")
 def test_numbers_nothing_can_be_computed_from_are_refused_when_read(tmp_path, code, draw):
     document = ezdxf.new("R2000", units=6)
     draw(document.modelspace())
