@@ -104,10 +104,12 @@ def checked_recompute(document) -> tuple[Finding, ...]:
     from BendTorsionWB.objects.preference import recomputes, without_faces
     from BendTorsionWB.objects.proxy import findings_of
     from BendTorsionWB.objects.repair import refuse_bare
+    from BendTorsionWB.objects.uncomputed import touch_what_follows_nothing
 
     refuse_bare(document.Objects)
     refuse_cycle(document)
     with to_the_end(), without_faces(), recomputes(document):
+        touch_what_follows_nothing(document)
         document.recompute()
     findings = []
     for obj in document.Objects:

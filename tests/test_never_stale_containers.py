@@ -209,3 +209,14 @@ def test_skipped_recomputes_are_made_before_anything_is_judged_or_written(model,
         assert told and {finding.severity for finding in told} == {"error"}
         model.SectionSpec.touch()
     assert model.RecomputesFrozen and not model.PlateSet.Shape.SubShapes
+
+
+def test_an_object_that_an_undo_took_out_asks_for_nothing(model):
+    """FreeCAD's window asks it all the same."""
+    model.openTransaction("one more")
+    axis = make.make_axis(model, "More", model.Surface, [(0, 0, 0), (1000, 0, 0), (2000, 9, 0)])
+    model.commitTransaction()
+    proxy = axis.Proxy
+    assert not proxy.mustExecute(axis)
+    model.undo()
+    assert proxy.mustExecute(axis) is False

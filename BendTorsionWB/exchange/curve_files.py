@@ -152,7 +152,9 @@ def _sources(document, file: str) -> dict[str, AxisSource]:
     sources = {}
     for name, members in groups.items():
         try:
-            sources[name] = _source(name, members, UNITS[code], findings)
+            # Numbers that cannot be are refused by name once they are read.
+            with np.errstate(all="ignore"):
+                sources[name] = _source(name, members, UNITS[code], findings)
         except BendTorsionError as problem:
             # A layer of many things is no axis; each of them may be one.
             sources[name] = AxisSource(name, findings=problem.findings)

@@ -13,6 +13,15 @@ DIGITS = 9
 """Of millimetres and quaternions: a file keeps the last bits of neither."""
 
 
+def in_document(obj) -> bool:
+    """Whether an object is in its document still; an undo, or a deletion, takes it out."""
+    try:
+        # None of one that is out from FreeCAD 1.0 on, before that an error.
+        return obj.Name is not None
+    except RuntimeError:
+        return False
+
+
 def outer_placement(obj) -> FreeCAD.Placement:
     """The place of the containers an object is in, in the document; links, which have no global
     placement of their own before FreeCAD 1.0, as well."""
@@ -27,7 +36,9 @@ def outer_placement(obj) -> FreeCAD.Placement:
 def places_used(obj) -> str:
     """Where the containers stand that an object and all it uses are in; empty when nowhere else
     than the document."""
-    places = {one.Name: outer_placement(one) for one in (obj, *obj.OutList)}
+    # While something is deleted the window asks what used it.
+    there = [one for one in (obj, *obj.OutList) if in_document(one)]
+    places = {one.Name: outer_placement(one) for one in there}
     return "; ".join(
         f"{name} {_numbers(place)}"
         for name, place in sorted(places.items())

@@ -19,8 +19,8 @@ import Part
 from BendTorsionWB.core.finding import BendTorsionError, Finding, error, has_error
 from BendTorsionWB.interrupts import asked
 from BendTorsionWB.objects import schema
-from BendTorsionWB.objects.containers import outer_placement, places_used
-from BendTorsionWB.objects.uncomputed import after_recompute
+from BendTorsionWB.objects.containers import in_document, outer_placement, places_used
+from BendTorsionWB.objects.uncomputed import after_recompute, follows_nothing
 
 READ_ONLY = 1
 HIDDEN = 4
@@ -160,9 +160,15 @@ class Proxy(ABC):
         obj.PlacesUsed = places_used(obj)
 
     def mustExecute(self, obj) -> bool:
-        """Whether a container was moved since, or something dragged into one or out of it: FreeCAD
-        asks in every recompute, and touches nothing itself."""
-        return "PlacesUsed" in obj.PropertiesList and obj.PlacesUsed != places_used(obj)
+        """Whether a container was moved since, something dragged into one or out of it, or a
+        document that it follows is not there: FreeCAD asks in every recompute, and touches nothing
+        itself."""
+        if not in_document(obj):
+            # FreeCAD's window asks those an undo took away as well.
+            return False
+        if "PlacesUsed" in obj.PropertiesList and obj.PlacesUsed != places_used(obj):
+            return True
+        return follows_nothing(obj)
 
     @abstractmethod
     def build(self, obj) -> Iterable[Finding]:

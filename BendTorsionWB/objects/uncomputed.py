@@ -30,11 +30,8 @@ class AfterRecompute:
             self.registered = True
 
     def slotBeforeRecomputeDocument(self, document) -> None:
-        """Have FreeCAD compute what follows a document that is not there: it leaves it with the
-        last value, and tells nothing."""
-        for obj in document.Objects:
-            if _follows_what_is_not_there(obj):
-                obj.touch()
+        """Called by FreeCAD before a recompute; by 1.1 when something is to be computed only."""
+        touch_what_follows_nothing(document)
 
     def slotRecomputedObject(self, obj) -> None:
         """Put in error what FreeCAD passed over, before what depends on it is computed."""
@@ -53,6 +50,14 @@ class AfterRecompute:
 
 
 after_recompute = AfterRecompute()
+
+
+def touch_what_follows_nothing(document) -> None:
+    """Have FreeCAD compute what follows a document that is not there: it leaves it with the last
+    value, and tells nothing."""
+    for obj in document.Objects:
+        if follows_nothing(obj):
+            obj.touch()
 
 
 def empty_dependants(document, left) -> None:
@@ -83,7 +88,8 @@ def empty_dependants(document, left) -> None:
             obj.purgeTouched()
 
 
-def _follows_what_is_not_there(obj) -> bool:
+def follows_nothing(obj) -> bool:
+    """Whether an expression of an object asks a document that is not there."""
     words = [text for _, text in obj.ExpressionEngine if "#" in text]
     if not words:
         return False

@@ -49,6 +49,8 @@ def do(name, answer):
     timer.timeout.connect(look)
     timer.start(200)
     actions = FreeCADGui.Command.get(f"Std_{name}").getAction()
+    # FreeCAD 1.1 offers a command a moment after something is selected.
+    steps.until(actions[0].isEnabled)
     actions[0].trigger()
     steps.settle(15)
     timer.stop()
