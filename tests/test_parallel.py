@@ -4,7 +4,8 @@
 import os
 import pickle
 import signal
-from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
+import time
+from concurrent.futures import BrokenExecutor, Executor, ProcessPoolExecutor, ThreadPoolExecutor
 from multiprocessing.process import BaseProcess
 
 import pytest
@@ -199,6 +200,26 @@ def die(job):
     if job.member.name == "M1":
         os.kill(os.getpid(), signal.SIGKILL)
     return project.detailing.detail(job)
+
+
+def deaf(place):
+    """What does not hear that it is to end, as code of FreeCAD's that comes back to no Python."""
+    signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGTERM})
+    place.touch()
+    time.sleep(60.0)
+
+
+def test_a_worker_that_does_not_hear_that_it_is_to_end_is_killed(tmp_path, monkeypatch):
+    """The program would wait for it for ever when it ends."""
+    monkeypatch.setattr("BendTorsionWB.core.worker_processes.PATIENCE", 0.2)
+    workers = Workers(2)
+    running = workers.submit(deaf, tmp_path / "begun")
+    while not (tmp_path / "begun").exists():
+        time.sleep(0.01)
+    workers.stop()
+    assert isinstance(running.exception(timeout=10.0), BrokenExecutor)
+    while workers.processes:
+        time.sleep(0.01)
 
 
 def test_a_member_whose_worker_dies_is_reported_and_the_rest_complete(tmp_path, monkeypatch):

@@ -17,6 +17,7 @@ import pickle
 import queue
 import signal
 import threading
+import time
 from collections import deque
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Executor, Future
@@ -31,6 +32,8 @@ RESULT_SIZE = 1 << 20
 PLENTY = 2
 """Calls waiting for each worker from which on one has the next handed over while it is at another:
 fewer are better left to whoever is free first."""
+PATIENCE = 5.0
+"""Seconds for a worker that is told to end at once; one deep in code of FreeCAD does not hear it."""
 
 
 @dataclass(frozen=True)
@@ -134,11 +137,18 @@ class Workers(Executor):
 
     def stop(self) -> None:
         """Drop everything, what the workers are at as well: they remove what they have in temporary
-        folders, and end."""
+        folders, and end. One that does not within PATIENCE is killed: this program would wait for
+        it when it ends."""
         self.shutdown(wait=False, cancel_futures=True)
         with self._changed:
             for worker in self._workers:
                 worker.process.terminate()
+        until = time.monotonic() + PATIENCE
+        for thread in self._threads:
+            thread.join(max(until - time.monotonic(), 0.0))
+        with self._changed:
+            for worker in self._workers:
+                worker.process.kill()
 
     def _start(self) -> _Worker:
         given, calls = self._context.Pipe(duplex=False)
