@@ -33,7 +33,7 @@ PLENTY = 2
 """Calls waiting for each worker from which on one has the next handed over while it is at another:
 fewer are better left to whoever is free first."""
 PATIENCE = 5.0
-"""Seconds for a worker that is told to end at once; one deep in code of FreeCAD does not hear it."""
+"""Seconds for a worker that is told to end; one deep in code of FreeCAD does not hear it."""
 
 
 @dataclass(frozen=True)
