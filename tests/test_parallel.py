@@ -202,6 +202,30 @@ def die(job):
     return project.detailing.detail(job)
 
 
+@pytest.mark.parametrize("at", [0, 1])
+def test_a_worker_that_begins_while_the_program_is_interrupted_is_known_and_stopped(
+    at, monkeypatch
+):
+    """One that nobody knew of was waited for at the program's end, for ever."""
+    started, start = [], BaseProcess.start
+
+    def interrupted(process):
+        start(process)
+        started.append(process)
+        if len(started) == at + 1:
+            os.kill(os.getpid(), signal.SIGINT)
+
+    workers = Workers(2)
+    monkeypatch.setattr(BaseProcess, "start", interrupted)
+    with pytest.raises(KeyboardInterrupt), interrupts.heard():
+        workers.renew()
+    assert len(started) == 2 == len(workers.processes)
+    workers.stop()
+    for process in started:
+        process.join(10.0)
+        assert not process.is_alive()
+
+
 def deaf(place):
     """What does not hear that it is to end, as code of FreeCAD's that comes back to no Python."""
     signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGTERM})

@@ -110,17 +110,22 @@ class Workers(Executor):
                 # Before Python waits for all processes that are left.
                 atexit.register(self.shutdown, wait=False, cancel_futures=True)
                 self._started = True
-            new = []
-            with suppress(OSError, MemoryError):
-                while len(self._workers) + len(new) < self.count:
-                    new.append(self._start())
-            self._threads = [thread for thread in self._threads if thread.is_alive()]
-            for worker in new:
-                thread = threading.Thread(target=self._serve, args=(worker,), daemon=True)
-                thread.start()
-                # Not before: one without a thread would be waited for.
-                self._workers.append(worker)
-                self._threads.append(thread)
+            # A worker that nobody knows of would not be stopped, and be waited for.
+            with _later():
+                self._start_missing()
+
+    def _start_missing(self) -> None:
+        new = []
+        with suppress(OSError, MemoryError):
+            while len(self._workers) + len(new) < self.count:
+                new.append(self._start())
+        self._threads = [thread for thread in self._threads if thread.is_alive()]
+        for worker in new:
+            thread = threading.Thread(target=self._serve, args=(worker,), daemon=True)
+            thread.start()
+            # Not before: one without a thread would be waited for.
+            self._workers.append(worker)
+            self._threads.append(thread)
 
     def shutdown(self, wait=True, *, cancel_futures=False):
         with self._changed:
@@ -228,6 +233,27 @@ class Workers(Executor):
                 self._waiting.clear()
         for call in lost:
             call.lose()
+
+
+@contextmanager
+def _later() -> Iterator[None]:
+    """Signals that ask this program to stop are heard after the block."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    came: list[int] = []
+    former = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
+    # One that is not Python's could not be put back.
+    former = {number: handler for number, handler in former.items() if handler is not None}
+    for number in former:
+        signal.signal(number, lambda heard, _: came.append(heard))
+    try:
+        yield
+    finally:
+        for number, handler in former.items():
+            signal.signal(number, handler)
+        for number in came:
+            signal.raise_signal(number)
 
 
 @contextmanager
