@@ -226,8 +226,6 @@ def test_what_counts_for_a_folder_cut_short_stays_within_it_too(tmp_path, sheets
 @pytest.mark.parametrize("name", ["p.xlsx", "p.FCStd", "sheets/Members.csv", "p.dxf"])
 def test_a_pipe_or_a_device_is_no_file(tmp_path, sheets, name):
     """A pipe is waited for, and a device may never end."""
-    if not hasattr(os, "mkfifo"):
-        pytest.skip("there are no pipes in folders")
     path = tmp_path / name
     path.unlink(missing_ok=True)
     for make in (os.mkfifo, lambda path: path.symlink_to(os.devnull)):

@@ -15,7 +15,6 @@ from BendTorsionWB.objects.proxy import findings_of
 @pytest.fixture
 def member(document, monkeypatch):
     monkeypatch.setattr(member_object, "MOST_SEGMENTS", 3)
-    monkeypatch.setattr(segment_edit, "MOST_SEGMENTS", 3)
     plane = make.make_surface(document, "Ground", "plane")
     axis = make.make_axis(document, "A", plane, [(0, 0, 0), (5000, 0, 0)])
     section = make.make_section(document, "B", h=500, b=400, t=12)

@@ -67,12 +67,17 @@ class Finding:
         return asdict(self)
 
 
-def _seen(text: str) -> str:
-    """A text with the codes of characters that are not seen: some turn the order of the line."""
+def unseen(text: str) -> str:
+    """The characters of a text that are not seen themselves: control and format characters, of
+    which some turn the order of all that follow."""
     if text.isprintable():
-        return text
-    hidden = {char for char in text if unicodedata.category(char) in ("Cc", "Cf")}
-    return text.translate({ord(char): f"U+{ord(char):04X}" for char in hidden})
+        return ""
+    return "".join(char for char in text if unicodedata.category(char) in ("Cc", "Cf"))
+
+
+def _seen(text: str) -> str:
+    """A text with the codes of characters that are not seen."""
+    return text.translate({ord(char): f"U+{ord(char):04X}" for char in unseen(text)})
 
 
 def figure_text(value: float | str, unit: str, length: Callable[[float], str] | None = None) -> str:

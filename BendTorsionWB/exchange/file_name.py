@@ -7,6 +7,8 @@ import hashlib
 import re
 import unicodedata
 
+from ..core.finding import unseen
+
 LONGEST = 80
 _REFUSED = re.compile(r'[<>:"/\\|?*#]')
 _DEVICE = re.compile(r"(con|prn|aux|nul|com[0-9¹²³]|lpt[0-9¹²³]|conin\$|conout\$)", re.IGNORECASE)
@@ -21,12 +23,6 @@ def same_file(name: str) -> str:
     """What names have in common that are one file where a file system tells neither capital letters
     nor how accents are coded, as on Windows and macOS."""
     return unicodedata.normalize("NFC", unicodedata.normalize("NFC", name).casefold())
-
-
-def unseen(text: str) -> str:
-    """The characters of a text that are not seen themselves: control and format characters, of
-    which some turn the order of all that follow."""
-    return "".join(char for char in text if unicodedata.category(char) in ("Cc", "Cf"))
 
 
 def seen(text: str) -> str:

@@ -10,10 +10,10 @@ import unicodedata
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from ..core.finding import BendTorsionError
+from ..core.finding import BendTorsionError, unseen
 from ..core.members.thickness import STAGGER_WORDS, stagger_offsets
 from ..core.patterns.layer_names import named_layers
-from .file_name import is_device, unseen
+from .file_name import is_device
 
 # Beyond any site grid in mm; larger figures are slips that would only overflow later.
 LARGEST_NUMBER = 1e10

@@ -148,6 +148,22 @@ def segment_count(obj) -> int:
     return min(obj.Segments, MOST_SEGMENTS)
 
 
+def refuse_many_segments(obj, count: int) -> None:
+    """Raises BendTorsionError for more segments than a Member can have."""
+    if count > MOST_SEGMENTS:
+        raise BendTorsionError(
+            error(
+                "segments",
+                obj.Label,
+                "more segments than a member can have",
+                "make members of it",
+                position="property Segments",
+                value=count,
+                limit=MOST_SEGMENTS,
+            )
+        )
+
+
 def segment_properties(count: int) -> tuple[Property, ...]:
     """The properties of segments 1 … count."""
     properties = []
@@ -240,18 +256,7 @@ def value(obj) -> detailing.MemberGeometry:
                 limit=1,
             )
         )
-    if obj.Segments > MOST_SEGMENTS:
-        raise BendTorsionError(
-            error(
-                "segments",
-                obj.Label,
-                "more segments than a member can have",
-                "make members of it",
-                position="property Segments",
-                value=obj.Segments,
-                limit=MOST_SEGMENTS,
-            )
-        )
+    refuse_many_segments(obj, obj.Segments)
     target = linked(obj, "Axis", "Axis")
     axis = axis_object.value(target)
     segments = tuple(_segment(obj, k, axis) for k in range(1, obj.Segments + 1))

@@ -11,9 +11,9 @@ from BendTorsionWB.core.axes.axis_places import cut_place
 from BendTorsionWB.core.finding import BendTorsionError, error
 from BendTorsionWB.objects import axis as axis_object
 from BendTorsionWB.objects.member import (
-    MOST_SEGMENTS,
     cut_of,
     reach,
+    refuse_many_segments,
     segment_count,
     segment_properties,
 )
@@ -46,17 +46,7 @@ def add_cut(
                 unit="mm",
             )
         )
-    if member.Segments >= MOST_SEGMENTS:
-        raise BendTorsionError(
-            error(
-                "segments",
-                member.Label,
-                "more segments than a member can have",
-                "make members of it",
-                value=member.Segments + 1,
-                limit=MOST_SEGMENTS,
-            )
-        )
+    refuse_many_segments(member, member.Segments + 1)
     before = [cut_length(member, k, axis) for k in range(2, member.Segments + 1)]
     new = 2 + sum(cut < s for cut in before)
     member.Segments += 1
