@@ -53,6 +53,12 @@ def test_the_window_of_a_page_goes_and_comes_back_with_its_page(window):
     assert opened == sorted([label, last]) and dark > 1000
 
 
+def test_sheets_that_take_long_open_their_first_page_too(window):
+    """The tree may leave out pages for a moment that come while the window settles."""
+    front, drawn = step(window, "long_work")
+    assert front == "MDI view page" and drawn == ["M2 sheets 1"]
+
+
 def test_pages_that_waited_in_the_window_are_drawn_without_one(tmp_path):
     """A document saved while its pages waited: read by plain Python they have their outlines."""
     import FreeCAD

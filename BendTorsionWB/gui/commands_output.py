@@ -72,12 +72,7 @@ def sheets(document) -> None:
 
 
 def _pages(sheet_sets: list) -> list:
-    return [
-        page
-        for item in sheet_sets
-        for page in tree.children(item)
-        if page.isDerivedFrom("TechDraw::DrawPage")
-    ]
+    return [page for item in sheet_sets for page in tree.pages(item)]
 
 
 def show_pages(sheet_sets: list) -> None:

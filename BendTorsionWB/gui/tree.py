@@ -34,7 +34,7 @@ def children(obj) -> list:
     if kind in CLAIMED:
         found += [user for user in obj.InList if getattr(user, "BT_Type", "") in CLAIMED[kind]]
     if kind in ("SheetSet", "ArrangementSet", "NodeSheets"):
-        found += _pages(obj)
+        found += [*pages(obj), *_outlines(obj)]
     return [item for item in found if item.Name not in TRIED]
 
 
@@ -114,20 +114,26 @@ def sheets_of(page):
     return None
 
 
-def _pages(sheet_set) -> list:
-    """The drawing pages of a set of sheets, each with the outlines its view shows, if any."""
-    shown = [user for user in sheet_set.InList if getattr(user, "BT_Type", "") in PAGE_PARTS]
-    outlines = [item for item in shown if item.BT_Type == "PageOutlines"]
+def pages(sheet_set) -> list:
+    """The drawing pages of a set of sheets, also those that have only just come."""
     views = [
         view
-        for item in outlines
+        for item in _outlines(sheet_set)
         for view in item.InList
         if view.isDerivedFrom("TechDraw::DrawViewPart")
     ]
-    pages = [
+    found = [
         page
-        for view in views or shown
+        for view in views or _page_parts(sheet_set)
         for page in view.InList
         if page.isDerivedFrom("TechDraw::DrawPage")
     ]
-    return [*dict.fromkeys(pages), *outlines]
+    return list(dict.fromkeys(found))
+
+
+def _outlines(sheet_set) -> list:
+    return [item for item in _page_parts(sheet_set) if item.BT_Type == "PageOutlines"]
+
+
+def _page_parts(sheet_set) -> list:
+    return [user for user in sheet_set.InList if getattr(user, "BT_Type", "") in PAGE_PARTS]

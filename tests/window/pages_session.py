@@ -150,4 +150,22 @@ def taken_back():
     return seen
 
 
-steps.run(pages, taken_back)
+def long_work():
+    """Sheets that take so long that the window settles while they are made: what is in front then,
+    and the pages that are drawn."""
+    from BendTorsionWB.gui import commands_plates, undone
+
+    document = whole_document("Long")
+    select(named("M2 plates"))
+    run("Development")
+    press("Ok")
+    former = commands_plates.PATIENCE, undone.SEEN
+    commands_plates.PATIENCE, undone.SEEN = -1.0, 3000
+    try:
+        run("Sheets", pause=8)
+        return [steps_front(), [page.Label for page in pages_of(document) if page.KeepUpdated]]
+    finally:
+        commands_plates.PATIENCE, undone.SEEN = former
+
+
+steps.run(pages, taken_back, long_work)
