@@ -50,6 +50,30 @@ def test_the_same_document_gives_the_same_bytes_packed_and_without_times(documen
     assert sorted(path.name for path in tmp_path.iterdir()) == ["one.FCStd", "two.FCStd"]
 
 
+def test_what_was_set_to_what_it_is_changes_no_byte_and_what_is_to_be_computed_is_kept(
+    document, tmp_path
+):
+    """TechDraw sets results of its views anew, sooner or later: that is no edit."""
+    box = document.Box
+    output = 8
+    box.addProperty("App::PropertyStringList", "Lines", "Result", "", output)
+    box.Lines = ["one"]
+    box.touch()
+    document.recompute()
+    save(document, tmp_path / "one.FCStd")
+    box.Lines = ["one"]
+    assert "Touched" not in box.State
+    save(document, tmp_path / "two.FCStd")
+    assert (tmp_path / "one.FCStd").read_bytes() == (tmp_path / "two.FCStd").read_bytes()
+    box.touch()
+    save(document, tmp_path / "two.FCStd")
+    again = FreeCAD.openDocument(str(tmp_path / "two.FCStd"), hidden=True)
+    try:
+        assert "Touched" in again.Box.State and "Touched" not in again.Curve.State
+    finally:
+        FreeCAD.closeDocument(again.Name)
+
+
 @pytest.mark.parametrize("binary", [None, True, False])
 def test_how_documents_are_saved_otherwise_stays(document, tmp_path, binary):
     SETTINGS.RemBool("SaveBinaryBrep")

@@ -13,6 +13,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 TIME = "1980-01-01T00:00:00Z"
+TOUCHED = 1
+"""Of the status of a property: set since its object was computed."""
 
 
 def timeless_document(path: Path, shown: Sequence[str] = ()) -> None:
@@ -63,6 +65,9 @@ def _timeless_xml(text: str) -> str:
         )
     # A link to another document keeps the time that one was saved.
     text = re.sub(r'(<XLink file="[^"]+" stamp=")[^"]*', rf"\g<1>{TIME}", text)
+    # TechDraw computes views of its own accord, sooner or later, and leaves their properties touched.
+    # What is to be computed is kept with the objects; FreeCAD forgets this when it has read them.
+    text = re.sub(r'(<_?Property [^>]*?) status="(\d+)"', _untouched, text)
     # Objects count their ids on from a random number.
     numbers = [int(n) for n in re.findall(r'<Object type="[^"]*" name="[^"]*" id="(\d+)"', text)]
     first = min(numbers, default=1)
@@ -75,3 +80,8 @@ def _timeless_xml(text: str) -> str:
     text = re.sub(r'(<Uuid value=")[^"]*', r"\g<1>", text)
     own = uuid.uuid5(uuid.NAMESPACE_OID, hashlib.sha256(text.encode()).hexdigest())
     return re.sub(r'(<Uuid value=")', rf"\g<1>{own}", text)
+
+
+def _untouched(tag: re.Match) -> str:
+    status = int(tag.group(2)) & ~TOUCHED
+    return f'{tag.group(1)} status="{status}"' if status else tag.group(1)
