@@ -24,8 +24,12 @@ def _told(kind, problem, trace) -> None:
 
 
 def _swallowed(raised) -> None:
-    """What Python prints of an exception that cannot be raised: an interrupt is, later on."""
-    if not issubclass(raised.exc_type, KeyboardInterrupt):
+    """What Python prints of an exception that cannot be raised: an interrupt is, later on, also one
+    that a call from C made a fault of its own."""
+    one = raised.exc_value
+    while one is not None and not isinstance(one, KeyboardInterrupt):
+        one = one.__cause__ or one.__context__
+    if one is None and not issubclass(raised.exc_type, KeyboardInterrupt):
         sys.__unraisablehook__(raised)
 
 

@@ -53,6 +53,34 @@ def test_one_inside_a_call_comes_at_its_end_or_at_a_safe_point_before(listening)
     assert done == ["call"]
 
 
+class _Lost:
+    """Ends with an exception, which Python cannot raise there."""
+
+    def __init__(self, problem, cause=None):
+        self.problem, self.cause = problem, cause
+
+    def __del__(self):
+        raise self.problem from self.cause
+
+
+@pytest.mark.parametrize(
+    ("problem", "cause", "told"),
+    [
+        (KeyboardInterrupt(), None, False),
+        (SystemError("returned a result with an exception set"), KeyboardInterrupt(), False),
+        (SystemError("of its own"), None, True),
+        (SystemError("of its own"), ValueError(), True),
+    ],
+)
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
+def test_one_that_cannot_be_raised_is_not_printed(problem, cause, told, monkeypatch, capfd):
+    """As of those that come while Python collects what nobody uses; other faults are."""
+    monkeypatch.setattr(sys, "unraisablehook", __main__._swallowed)
+    lost = _Lost(problem, cause)
+    del lost
+    assert ("of its own" in capfd.readouterr().err) is told
+
+
 def test_one_that_was_swallowed_comes_again_before_a_file_is_put_in_its_place(listening, tmp_path):
     place = tmp_path / "a.txt"
     place.write_bytes(b"old")
