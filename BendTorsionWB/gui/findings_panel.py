@@ -10,7 +10,7 @@ import FreeCADGui
 from BendTorsionWB.core.finding import SEVERITIES, Finding
 from BendTorsionWB.gui import finding_places, finding_words, member_display
 from BendTorsionWB.gui.dock import DocumentDock, shown
-from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets
+from BendTorsionWB.gui.qt import QtCore, QtGui, QtWidgets, living
 from BendTorsionWB.gui.task_panel import colour_of
 
 translate = FreeCAD.Qt.translate
@@ -50,7 +50,7 @@ def view_of(document):
     views = shown.mdiViewsOfType("Gui::View3DInventor")
     if not views:
         return None
-    frame = views[0].graphicsView()
+    frame = living(views[0].graphicsView)
     while frame is not None and not isinstance(frame, QtWidgets.QMdiSubWindow):
         frame = frame.parentWidget()
     if frame is not None:

@@ -15,7 +15,7 @@ import FreeCADGui
 import numpy as np
 
 from BendTorsionWB.gui.label_layer import on_screen
-from BendTorsionWB.gui.qt import QtCore, QtGui
+from BendTorsionWB.gui.qt import QtCore, QtGui, living
 
 KIND = "Gui::View3DInventor"
 
@@ -35,7 +35,7 @@ class EscapeInView(QtCore.QObject):
         super().__init__()
         self.escaped = escaped
         view = view_of(document.Name)
-        self.widget = view.graphicsView() if view is not None else None
+        self.widget = living(view.graphicsView) if view is not None else None
         if self.widget is not None:
             self.widget.installEventFilter(self)
 
@@ -73,8 +73,8 @@ class ViewMouse(QtCore.QObject):
         view = view_of(self.document)
         if view is not None:
             self.scene = view.getSceneGraph()
-            frame = view.graphicsView()
-            self.widgets = [frame, frame.viewport()]
+            frame = living(view.graphicsView)
+            self.widgets = [frame, frame.viewport()] if frame is not None else []
             for widget in self.widgets:
                 widget.installEventFilter(self)
 
