@@ -65,8 +65,8 @@ def _timeless_xml(text: str) -> str:
         )
     # A link to another document keeps the time that one was saved.
     text = re.sub(r'(<XLink file="[^"]+" stamp=")[^"]*', rf"\g<1>{TIME}", text)
-    # TechDraw computes views of its own accord, sooner or later, and leaves properties touched. What
-    # is to be computed is kept with the objects; FreeCAD forgets this when it has read them.
+    # TechDraw computes views of its own accord, sooner or later, and leaves properties touched.
+    # What is to be computed is kept with the objects; FreeCAD forgets this when it has read them.
     text = re.sub(r'(<_?Property [^>]*?) status="(\d+)"', _untouched, text)
     # Objects count their ids on from a random number.
     numbers = [int(n) for n in re.findall(r'<Object type="[^"]*" name="[^"]*" id="(\d+)"', text)]
