@@ -125,7 +125,10 @@ def checked_recompute(document) -> tuple[Finding, ...]:
 def save(document, path: Path, shown: Sequence[str] = ()) -> None:
     """Save a document whole or not at all. shown: as of timeless_document."""
     from BendTorsionWB.objects.preference import saved_in_binary
+    from BendTorsionWB.sheets.qt import settle_threads
 
+    # They work on the shapes that are written.
+    settle_threads()
     with whole_file(path) as part, to_the_end(), saved_in_binary():
         document.saveCopy(str(part))
         # FreeCAD does not tell when the disk is full.
