@@ -11,7 +11,7 @@ from PySide import QtCore, QtGui
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import steps
 from commands_aids import whole_document
-from hands import named, select
+from hands import named, offered, select
 
 
 def state(document):
@@ -48,10 +48,7 @@ def do(name, answer):
 
     timer.timeout.connect(look)
     timer.start(200)
-    actions = FreeCADGui.Command.get(f"Std_{name}").getAction()
-    # FreeCAD 1.1 offers a command a moment after something is selected.
-    steps.until(actions[0].isEnabled)
-    actions[0].trigger()
+    offered(f"Std_{name}")[0].trigger()
     steps.settle(15)
     timer.stop()
     return asked

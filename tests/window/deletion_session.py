@@ -12,7 +12,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import keys
 import steps
 from commands_aids import whole_document
-from hands import answered, field, named, press, retype, run, select, window
+from hands import answered, field, named, offered, press, retype, run, select, window
 
 NEEDED = ("Ground", "B", "M1-axis", "M1", "M1 plates", "M1 patterns", "N1", "M2")
 
@@ -90,8 +90,10 @@ def key_in_the_view():
     for name, widget in views.items():
         select(named("M1 bed"))
         widget.setFocus()
-        steps.settle(2)
+        steps.until(widget.hasFocus)
+        offered("Std_Delete")
         keys.strike("Delete", pause=5)
+        steps.until(lambda: document.UndoNames)
         seen[name] = [not document.getObjectsByLabel("M1 bed"), bool(document.UndoNames)]
         again(document, "Undo")
         seen[name].append(bool(document.getObjectsByLabel("M1 bed")))

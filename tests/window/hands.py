@@ -35,6 +35,22 @@ def select(*items):
         FreeCADGui.Selection.addSelection(obj.Document.Name, obj.Name, sub)
 
 
+def offered(name):
+    """The actions of a command of FreeCAD once it offers them: FreeCAD 1.1 looks at what is
+    selected a little later."""
+    actions = FreeCADGui.Command.get(name).getAction()
+    for action in actions:
+        steps.until(action.isEnabled)
+    return actions
+
+
+def trigger(name):
+    """Choose a command of FreeCAD as its menu, its button or its keys do."""
+    for action in offered(name):
+        action.trigger()
+    steps.settle(8)
+
+
 def press(button):
     """Press OK or Cancel of the task panel."""
     boxes = [box for box in window().findChildren(QtGui.QDialogButtonBox) if box.isVisible()]

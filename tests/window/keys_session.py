@@ -53,6 +53,7 @@ def members():
     strike("Shift_L+Down", "Shift_L+Down")
     seen["selected"] = [item.Label for item in FreeCADGui.Selection.getSelection()]
     seen["dialog"] = []
+    hands.offered("BendTorsion_MembersFromSelection")
     QtCore.QTimer.singleShot(1500, lambda: _dialog(seen["dialog"]))
     strike("b", "f", pause=4)
     steps.settle(4)
@@ -63,8 +64,10 @@ def members():
     seen["section"].append(section.Thickness.Value)
     seen["align"] = named("M7").Align1
     seen["undo"] = document.UndoNames
+    hands.offered("Std_Undo")
     strike("Control_L+z", pause=5)
     seen["undone"] = len(document.Objects)
+    hands.offered("Std_Redo")
     strike("Control_L+Shift_L+z" if _redo_has_shift() else "Control_L+y", pause=5)
     seen["redone"] = len(document.Objects)
     FreeCAD.closeDocument(document.Name)

@@ -14,7 +14,7 @@ from PySide import QtCore, QtGui
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import steps
 from commands_aids import whole_document
-from hands import answered, asked, field, named, press, retype, run, select, window
+from hands import answered, asked, field, named, press, retype, run, select, trigger, window
 from macro_base import base, figures
 from right_click import tree_menu, view_menu
 
@@ -58,15 +58,6 @@ def differing(before, after):
                 other = after[key]
                 found[key] = sorted(n for n in {**value, **other} if value.get(n) != other.get(n))
     return found
-
-
-def trigger(name):
-    """Choose a command of FreeCAD as its menu does, once it offers it: FreeCAD 1.1 looks at what is
-    selected a little later."""
-    for action in FreeCADGui.Command.get(name).getAction():
-        steps.until(action.isEnabled)
-        action.trigger()
-    steps.settle(8)
 
 
 def refused():

@@ -13,16 +13,9 @@ from PySide import QtCore, QtGui
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import steps
 from commands_aids import member_document, whole_document
-from hands import asked, field, named, press, retype, run, select, window
+from hands import asked, field, named, press, retype, run, select, trigger, window
 
 FOLDER = os.path.dirname(os.environ["BENDTORSION_WINDOW_RESULT"])
-
-
-def trigger(name):
-    """Choose a command of FreeCAD as its menu, its button or its keys do."""
-    for action in FreeCADGui.Command.get(name).getAction():
-        action.trigger()
-    steps.settle(6)
 
 
 def dock(name):
