@@ -4,6 +4,8 @@
 import pytest
 from freecad_window import session, step
 
+pytestmark = pytest.mark.slow
+
 DIRECT = {
     "Ground": ("M1-axis", "M2-axis"),
     "B": ("M1", "M2"),

@@ -4,6 +4,8 @@
 import pytest
 from freecad_window import DARK, session, step
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def window(tmp_path_factory):

@@ -5,6 +5,8 @@ import pytest
 from freecad_window import session, step
 from test_command_table import PROMISED
 
+pytestmark = pytest.mark.slow
+
 KINDS = ("Ground", "M1-axis", "B", "M1", "M1 plates", "M1 patterns", "M1 bed", "N1", "M1 sheets")
 
 

@@ -9,6 +9,8 @@ from freecad_window import ROOT, run_in_window, session, step
 
 from BendTorsionWB.gui import words
 
+pytestmark = pytest.mark.slow
+
 OPENING = ROOT / "tests" / "window" / "opening_session.py"
 PICTURES = ROOT / "build" / "pictures" / "trade"
 

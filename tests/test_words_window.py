@@ -9,6 +9,8 @@ from freecad_window import session, step
 from BendTorsionWB.core.part_tables import PART_COLUMNS
 from BendTorsionWB.gui.member_rows import COLUMNS
 
+pytestmark = pytest.mark.slow
+
 CHINESE = re.compile("[\u4e00-\u9fff]")
 LATIN = re.compile(r"[A-Za-z]{3,}|OK")
 SENTENCE = re.compile(r"[A-Za-z]{2,}(?: [a-z]{2,}){2,}")
