@@ -11,7 +11,7 @@ from pathlib import Path
 
 import FreeCAD
 import numpy as np
-import Part  # noqa: F401
+import Part
 import pytest
 import TechDraw  # noqa: F401
 from sheet_checks import told
@@ -253,6 +253,19 @@ def test_saved_and_reopened_sheets_are_the_same_and_still_follow(document, tmp_p
     finally:
         if again.Name != document.Name:
             FreeCAD.closeDocument(again.Name)
+
+
+def test_outlines_are_saved_alike_before_and_after_techdraw_took_them(document, tmp_path):
+    """It puts them into a compound of its own, which Open CASCADE notes in the shape."""
+    outlines = outlines_of(pages(document)[0])
+    outlines.recompute()
+    made = _saved(outlines.Shape, tmp_path)
+    assert Part.Compound([outlines.Shape]).Edges and _saved(outlines.Shape, tmp_path) == made
+
+
+def _saved(shape, folder):
+    shape.exportBinary(str(folder / "shape.bin"))
+    return (folder / "shape.bin").read_bytes()
 
 
 def test_a_member_in_error_empties_its_sheets_and_mending_restores_them(document):

@@ -170,12 +170,13 @@ class PageOutlines(Proxy):
     )
 
     def build(self, obj):
-        obj.Shape = Part.Compound(
-            [
-                Part.makePolygon([FreeCAD.Vector(x, y, 0.0) for x, y in line.tolist()])
-                for line in view_edges(_page_sheet(obj))
-            ]
-        )
+        wires = [
+            Part.makePolygon([FreeCAD.Vector(x, y, 0.0) for x, y in line.tolist()])
+            for line in view_edges(_page_sheet(obj))
+        ]
+        # What lies in another shape is saved by another byte, and TechDraw puts the outlines into
+        # one of its own, in FreeCAD 1.1 sooner or later: they have been in one from the start.
+        obj.Shape = Part.Compound([Part.Compound(wires)]).childShapes()[0]
         return ()
 
     def clear(self, obj):
